@@ -7,7 +7,8 @@ enum class Profile {
   kStream,   ///< reliable, volatile, keep-last 64
   kCommand,  ///< reliable, volatile, keep-last 64
   kState,    ///< reliable, transient-local, keep-last 64, one kept for late joiners
-  kStatus,   ///< reliable, transient-local, keep-last 1 a key, automatic liveliness with a lease of 1 s
+  kStatus,   ///< reliable, transient-local, keep-last 1 a key, automatic liveliness with a lease of
+             ///< 1 s
 };
 
 }  // namespace scarab::bus

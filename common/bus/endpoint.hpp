@@ -1,0 +1,94 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "common/bus/entity.hpp"
+#include "common/bus/participant.hpp"
+#include "common/bus/qos.hpp"
+
+namespace scarab::bus {
+
+/// What readers and writers have in common: a topic, a DDS entity on it, the peers it has matched
+/// and the faults that keep it from matching others.
+class Endpoint {
+ public:
+  const std::string& topic() const { return topic_; }
+  dds_entity_t handle() const { return entity_.handle(); }
+
+ protected:
+  /// Throws Error naming `kind` ("reader", "writer"), the topic and the cause.
+  Endpoint(Participant& participant, const char* kind, const char* topic,
+           const dds_topic_descriptor_t& descriptor);
+
+  void own(dds_entity_t entity);
+  /// `writer on scarab/behaviour`: the beginning of an error message.
+  std::string name() const { return kind_ + " on " + topic_; }
+  dds_entity_t topic_handle() const { return topic_entity_.handle(); }
+
+ private:
+  std::string kind_;
+  std::string topic_;
+  Entity topic_entity_;
+  Entity entity_;
+};
+
+/// The untyped part of Writer<T>.
+class WriterEndpoint : public Endpoint {
+ public:
+  WriterEndpoint(Participant& participant, const char* topic,
+                 const dds_topic_descriptor_t& descriptor, Profile profile);
+
+  /// The readers that are matched at this moment, in a stable order.
+  std::vector<Peer> matched() const;
+  /// Why readers on this topic did not match, since the start; empty when all is well.
+  std::vector<std::string> faults() const;
+
+ protected:
+  void write_sample(const void* sample);
+  void dispose_sample(const void* sample);
+};
+
+/// The untyped part of Reader<T>.
+class ReaderEndpoint : public Endpoint {
+ public:
+  ReaderEndpoint(Participant& participant, const char* topic,
+                 const dds_topic_descriptor_t& descriptor, Profile profile,
+                 const ReaderOptions& options);
+
+  /// The writers that are matched at this moment, in a stable order.
+  std::vector<Peer> matched() const;
+  /// Why writers on this topic did not match, and what was lost, since the start; empty when all is
+  /// well.
+  std::vector<std::string> faults() const;
+
+  /// Ready as long as samples wait to be taken; what a WaitSet waits for.
+  dds_entity_t condition() const { return condition_.handle(); }
+
+ private:
+  Entity condition_;
+};
+
+/// Up to kCapacity samples lent by Cyclone and returned with this object.
+class Loan {
+ public:
+  static constexpr std::size_t kCapacity = 64;
+
+  /// Takes from `reader`, a reader or a read condition.
+  Loan(dds_entity_t reader, const std::string& topic);
+  Loan(const Loan&) = delete;
+  Loan& operator=(const Loan&) = delete;
+  ~Loan();
+
+  std::size_t size() const { return size_; }
+  const void* sample(std::size_t i) const { return samples_[i]; }
+  const dds_sample_info_t& info(std::size_t i) const { return infos_[i]; }
+
+ private:
+  dds_entity_t reader_;
+  std::size_t size_ = 0;
+  void* samples_[kCapacity] = {};
+  dds_sample_info_t infos_[kCapacity] = {};
+};
+
+}  // namespace scarab::bus

@@ -1,0 +1,22 @@
+#pragma once
+
+#include "common/bus/endpoint.hpp"
+#include "common/bus/topic.hpp"
+
+namespace scarab::bus {
+
+/// Writes samples of one topic with its profile. Thread-safe.
+template <class T>
+class Writer : public WriterEndpoint {
+ public:
+  Writer(Participant& participant, const Topic<T>& topic)
+      : WriterEndpoint(participant, topic.name, descriptor<T>(), topic.profile) {}
+
+  /// Hands a sample to every matched reader. Throws Error when readers do not acknowledge for 1 s.
+  void write(const T& sample) { write_sample(&sample); }
+
+  /// Says that the instance with this sample's key is no more.
+  void dispose(const T& sample) { dispose_sample(&sample); }
+};
+
+}  // namespace scarab::bus

@@ -1,0 +1,143 @@
+#include <gmock/gmock.h>
+
+#include <thread>
+
+#include "common/bus/reader.hpp"
+#include "common/bus/sample_fields.hpp"
+#include "common/bus/topics.hpp"
+#include "common/bus/waitset.hpp"
+#include "common/bus/writer.hpp"
+#include "tests/integration/bus/fixture.hpp"
+
+namespace scarab::bus {
+namespace {
+
+using std::chrono::milliseconds;
+using std::chrono::seconds;
+using testing::ElementsAre;
+
+scarab_RobotState robot_state(std::uint32_t tick) {
+  scarab_RobotState state{};
+  state.header.tick = tick;
+  return state;
+}
+
+TEST(Delivery, EverySampleArrivesInOrder) {
+  Participant plant(test_options("plant"));
+  Participant supervisor(test_options("supervisor"));
+  Writer<scarab_JointCommand> writer(plant, kJointCommand);
+  Reader<scarab_JointCommand> reader(supervisor, kJointCommand);
+  ASSERT_TRUE(eventually([&] { return !writer.matched().empty() && !reader.matched().empty(); }));
+
+  constexpr std::uint32_t kCount = 1000;
+  WaitSet waitset(supervisor);
+  waitset.attach(reader);
+  std::vector<std::uint32_t> ticks;
+  for (std::uint32_t tick = 0; tick < kCount; ++tick) {
+    scarab_JointCommand command{};
+    command.header.tick = tick;
+    writer.write(command);
+    ASSERT_TRUE(waitset.wait(seconds(10)));
+    reader.take([&](const scarab_JointCommand& c) { ticks.push_back(c.header.tick); });
+  }
+  ASSERT_EQ(ticks.size(), kCount);
+  for (std::uint32_t tick = 0; tick < kCount; ++tick) EXPECT_EQ(ticks[tick], tick);
+  EXPECT_TRUE(reader.faults().empty());
+  EXPECT_TRUE(writer.faults().empty());
+}
+
+TEST(Delivery, MatchedNamesThePeers) {
+  Participant plant(test_options("plant"));
+  Participant first(test_options("premotor", 0));
+  Participant second(test_options("premotor", 1));
+  Writer<scarab_JointCommand> writer_a(first, kJointCommand);
+  Writer<scarab_JointCommand> writer_b(second, kJointCommand);
+  Reader<scarab_JointCommand> reader(plant, kJointCommand);
+  ASSERT_TRUE(eventually([&] { return reader.matched().size() == 2; }));
+  EXPECT_THAT(reader.matched(), ElementsAre(Peer{"premotor", 0}, Peer{"premotor", 1}));
+  ASSERT_TRUE(eventually([&] { return !writer_a.matched().empty(); }));
+  EXPECT_THAT(writer_a.matched(), ElementsAre(Peer{"plant", 0}));
+}
+
+TEST(Delivery, ALateReaderGetsTheNewestStateOnly) {
+  Participant plant(test_options("plant"));
+  Writer<scarab_RobotState> writer(plant, kRobotState);
+  for (std::uint32_t tick = 1; tick <= 5; ++tick) writer.write(robot_state(tick));
+
+  Participant late(test_options("premotor"));
+  Reader<scarab_RobotState> reader(late, kRobotState);
+  WaitSet waitset(late);
+  waitset.attach(reader);
+  ASSERT_TRUE(waitset.wait(seconds(10)));
+  std::vector<std::uint32_t> ticks;
+  reader.take([&](const scarab_RobotState& s) { ticks.push_back(s.header.tick); });
+  EXPECT_THAT(ticks, ElementsAre(5U));
+}
+
+TEST(Delivery, TagsKeepStacksApart) {
+  ParticipantOptions other = test_options("plant");
+  other.tag += "other";
+  Participant plant(other);
+  Participant friend_of_supervisor(test_options("plant"));
+  Participant supervisor(test_options("supervisor"));
+  Writer<scarab_RobotState> foreign(plant, kRobotState);
+  Writer<scarab_RobotState> ours(friend_of_supervisor, kRobotState);
+  Reader<scarab_RobotState> reader(supervisor, kRobotState);
+  ASSERT_TRUE(eventually([&] { return !reader.matched().empty(); }));
+  EXPECT_EQ(reader.matched().size(), 1U);
+  EXPECT_TRUE(foreign.matched().empty());
+}
+
+TEST(Delivery, StatusTellsOfAWriterThatLeft) {
+  Participant launcher(test_options("status"));
+  Reader<scarab_ServiceStatus> reader(launcher, kServiceStatus);
+  WaitSet waitset(launcher);
+  waitset.attach(reader);
+  std::string service = "premotor";
+  std::vector<scarab_Counter> counters(2);
+  assign(counters[1].name, "refused");
+  counters[1].value = 7;
+  {
+    Participant premotor(test_options("premotor", 3));
+    Writer<scarab_ServiceStatus> writer(premotor, kServiceStatus);
+    scarab_ServiceStatus status{};
+    borrow(status.service, service);
+    status.instance = 3;
+    borrow(status.counters, counters);
+    writer.write(status);
+    ASSERT_TRUE(waitset.wait(seconds(10)));
+    const std::size_t taken = reader.take([&](const scarab_ServiceStatus& s) {
+      EXPECT_STREQ(s.service, "premotor");
+      EXPECT_EQ(s.instance, 3U);
+      ASSERT_EQ(elements(s.counters).size(), 2U);
+      EXPECT_EQ(text(elements(s.counters)[1].name), "refused");
+      EXPECT_EQ(elements(s.counters)[1].value, 7U);
+    });
+    EXPECT_EQ(taken, 1U);
+  }
+  ASSERT_TRUE(waitset.wait(seconds(10)));
+  std::vector<std::string> gone;
+  reader.take_with_info([&](const scarab_ServiceStatus& s, const SampleInfo& info) {
+    EXPECT_FALSE(info.valid);
+    EXPECT_EQ(info.state, InstanceState::kNoWriters);
+    gone.push_back(s.service + std::to_string(s.instance));
+  });
+  EXPECT_THAT(gone, ElementsAre("premotor3"));
+}
+
+TEST(WaitSet, AGuardWakesItFromAnotherThread) {
+  Participant participant(test_options("plant"));
+  Guard guard(participant);
+  WaitSet waitset(participant);
+  waitset.attach(guard);
+  EXPECT_FALSE(waitset.wait(milliseconds(0)));
+  std::thread waker([&] { guard.trigger(); });
+  EXPECT_TRUE(waitset.wait(seconds(10)));
+  waker.join();
+  EXPECT_TRUE(waitset.wait(seconds(0)));
+  guard.clear();
+  EXPECT_FALSE(waitset.wait(milliseconds(0)));
+}
+
+}  // namespace
+}  // namespace scarab::bus
