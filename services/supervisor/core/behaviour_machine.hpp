@@ -2,48 +2,76 @@
 
 #include <array>
 #include <cstdint>
+#include <string>
 
+#include "services/supervisor/core/machine_state.hpp"
 #include "services/supervisor/core/strategy.hpp"
 #include "services/supervisor/core/supervisor_config.hpp"
 
 namespace scarab::supervisor {
 
-/// Values equal those of the IDL enumerations of the same names.
-enum class Mode { kStop, kForward, kBackward, kSoftPush, kBoxing, kStationary, kHardPush };
-enum class State { kIdle, kApproach, kClimb, kMode1, kMode2, kDone, kFailed, kSafeStop };
+/// How the trial stands, as the tick master announces it. Values equal those of the IDL
+/// enumeration.
 enum class Phase { kRunning, kSafeStop, kSucceeded, kFailed };
 
 /// What the supervisor takes from robot_state: only what a real robot measures.
 struct Perception {
   std::uint32_t tick = 0;
   Phase phase = Phase::kRunning;
-  double pitch_rad = 0;                      ///< of the rear trunk, + = rear up
-  std::array<double, 2> front_f_rad{};       ///< F-joint angles of the left and right front leg
+  double pitch_rad = 0;                 ///< of the rear trunk, + = rear up
+  std::array<double, 2> front_f_rad{};  ///< F-joint angles of the left and right front leg
 };
-
-/// All that the machine remembers between ticks. Trivially copyable: it is written to disk as it is.
-struct MachineState;   // defined in machine_state.hpp
 
 /// What the machine says for one tick (adapter: scarab/behaviour).
 struct Decision {
   Mode mode = Mode::kStop;
-  std::array<double, 4> inputs{};
+  std::array<double, 4> inputs{};  ///< I1..I4
   bool hind_override = false;
-  std::array<double, 3> hind_pose_rad{};
+  std::array<double, 3> hind_pose_rad{};  ///< T, C, F
   double backbone_rad = 0;
   State state = State::kIdle;
   std::uint32_t entered_tick = 0;
-  std::array<char, 128> reason{};            ///< zero-terminated
-  double bs_rad = 0, bs_threshold_rad = 0, as_rad = 0, as_threshold_rad = 0;
+  Reason reason{};  ///< zero-terminated
+  double bs_rad = 0;
+  double bs_threshold_rad = 0;
+  double as_rad = 0;
+  double as_threshold_rad = 0;
 };
 
-/// The behaviour machine of the paper (section 3): pure function from (state, perception) to (state, decision).
+/// The behaviour machine of the paper (section 3): pure function from (state, perception) to
+/// (state, decision).
+///
+///     idle -> approach <-> climb -> mode 1 -> mode 2     any of them -> done, failed: as the phase
+///     says, for good
+///                                                        any of them -> safe stop -> approach
+///
+/// approach -> climb: BS over its threshold. climb -> mode 1: BS over it for settle_ticks on end
+/// ("after a certain time step"); -> approach: BS fell back. mode 1 -> mode 2: AS below its
+/// threshold for confirm_ticks on end, counted from arm_ticks after mode 1 began. After a safe stop
+/// the machine approaches again, whatever it did before: the robot has been homed, and if it still
+/// lies on the object BS will say so.
 class BehaviourMachine {
  public:
+  /// Throws std::invalid_argument, naming the value, for parameters outside the ranges given in
+  /// supervisor_config.hpp.
   BehaviourMachine(const SupervisorConfig& config, const Strategy& strategy);
+
   [[nodiscard]] MachineState initial_state() const;
-  /// Advances `state` by one tick and returns the decision for it.
+
+  /// Advances `state` by one tick and returns the decision for it. At most one transition a tick.
   [[nodiscard]] Decision step(MachineState& state, const Perception& perception) const;
+
+ private:
+  void advance(MachineState& state, const Perception& perception, double as_rad) const;
+  void advance_running(MachineState& state, std::uint32_t tick, double as_rad) const;
+  void approach(MachineState& state, std::uint32_t tick) const;
+  void climb(MachineState& state, std::uint32_t tick) const;
+  void watch_for_obstacle(MachineState& state, std::uint32_t tick, double as_rad) const;
+  [[nodiscard]] Mode mode_of(State state) const;
+  [[nodiscard]] double as_threshold_rad() const;
+
+  SupervisorConfig config_;
+  Strategy strategy_;
 };
 
 }  // namespace scarab::supervisor

@@ -1,0 +1,192 @@
+#include "services/supervisor/core/behaviour_machine.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <stdexcept>
+
+namespace scarab::supervisor {
+namespace {
+
+void require(bool condition, const char* what) {
+  if (!condition) {
+    throw std::invalid_argument(what);
+  }
+}
+
+void check(const SupervisorConfig& config, const Strategy& strategy) {
+  const InclinationConfig& bs = config.bs;
+  const FrontAngleConfig& as = config.as;
+  require(bs.smoothing > 0 && bs.smoothing <= 1, "bs.smoothing is not in (0, 1]");
+  require(std::isfinite(bs.threshold_rad), "bs.threshold_rad is not finite");
+  require(bs.settle_ticks >= 2, "bs.settle_ticks is not at least 2");
+  require(as.window_ticks >= 1 && as.window_ticks <= static_cast<double>(kMaxWindowTicks),
+          "as.window_ticks is not in 1..64");
+  require(std::isfinite(as.reference_rad), "as.reference_rad is not finite");
+  require(std::isfinite(as.drop_rad), "as.drop_rad is not finite");
+  require(as.confirm_ticks >= 1, "as.confirm_ticks is not at least 1");
+  require(std::isfinite(config.backbone_rad), "backbone_rad is not finite");
+  require(strategy.push.size() <= 2, "a strategy has more than two pushing modes");
+}
+
+/// A number of a reason, to 3 decimals.
+std::string figure(double value) {
+  std::array<char, 32> text{};
+  std::snprintf(text.data(), text.size(), "%.3f", value);
+  return text.data();
+}
+
+std::string figure_ticks(std::uint32_t ticks) {
+  return std::to_string(ticks) + (ticks == 1 ? " tick" : " ticks");
+}
+
+void enter(MachineState& machine, State state, std::uint32_t tick, const std::string& reason) {
+  machine.state = state;
+  machine.entered_tick = tick;
+  machine.reason.fill('\0');
+  std::copy_n(reason.begin(), std::min(reason.size(), machine.reason.size() - 1),
+              machine.reason.begin());
+  machine.bs_above = 0;
+  machine.as_below = 0;
+}
+
+bool final(State state) { return state == State::kDone || state == State::kFailed; }
+
+}  // namespace
+
+BehaviourMachine::BehaviourMachine(const SupervisorConfig& config, const Strategy& strategy)
+    : config_(config), strategy_(strategy) {
+  check(config_, strategy_);
+}
+
+MachineState BehaviourMachine::initial_state() const {
+  MachineState machine;
+  enter(machine, State::kIdle, 0, "before the first tick");
+  return machine;
+}
+
+Decision BehaviourMachine::step(MachineState& state, const Perception& perception) const {
+  update(state.bs, perception.pitch_rad, config_.bs.smoothing);
+  push(state.front_f, (perception.front_f_rad[0] + perception.front_f_rad[1]) / 2);
+  const double as_rad = mean(state.front_f, config_.as.window_ticks);
+  advance(state, perception, as_rad);
+
+  Decision decision;
+  decision.mode = mode_of(state.state);
+  decision.inputs = inputs_of(config_, decision.mode);
+  decision.hind_override = decision.mode == Mode::kStationary;
+  if (decision.hind_override) {
+    decision.hind_pose_rad = config_.stationary_hind_pose_rad;
+  }
+  decision.backbone_rad = config_.backbone_rad;
+  decision.state = state.state;
+  decision.entered_tick = state.entered_tick;
+  decision.reason = state.reason;
+  decision.bs_rad = state.bs.value;
+  decision.bs_threshold_rad = config_.bs.threshold_rad;
+  decision.as_rad = as_rad;
+  decision.as_threshold_rad = as_threshold_rad();
+  return decision;
+}
+
+void BehaviourMachine::advance(MachineState& state, const Perception& perception,
+                               double as_rad) const {
+  if (final(state.state)) {
+    return;
+  }
+  const std::uint32_t tick = perception.tick;
+  switch (perception.phase) {
+    case Phase::kSucceeded:
+      return enter(state, State::kDone, tick, "the tick master announced success");
+    case Phase::kFailed:
+      return enter(state, State::kFailed, tick, "the tick master announced failure");
+    case Phase::kSafeStop:
+      if (state.state != State::kSafeStop) {
+        enter(state, State::kSafeStop, tick, "the tick master announced a safe stop");
+      }
+      return;
+    case Phase::kRunning:
+      return advance_running(state, tick, as_rad);
+  }
+}
+
+void BehaviourMachine::advance_running(MachineState& state, std::uint32_t tick,
+                                       double as_rad) const {
+  switch (state.state) {
+    case State::kIdle:
+      return enter(state, State::kApproach, tick, "the trial runs");
+    case State::kSafeStop:
+      return enter(state, State::kApproach, tick, "the safe stop has ended");
+    case State::kApproach:
+      return approach(state, tick);
+    case State::kClimb:
+      return climb(state, tick);
+    case State::kMode1:
+      return watch_for_obstacle(state, tick, as_rad);
+    case State::kMode2:
+    case State::kDone:
+    case State::kFailed:
+      return;
+  }
+}
+
+void BehaviourMachine::approach(MachineState& state, std::uint32_t tick) const {
+  if (strategy_.push.empty() || !(state.bs.value > config_.bs.threshold_rad)) {
+    return;
+  }
+  enter(state, State::kClimb, tick,
+        "BS " + figure(state.bs.value) + " > " + figure(config_.bs.threshold_rad) + " rad");
+  state.bs_above = 1;
+}
+
+void BehaviourMachine::climb(MachineState& state, std::uint32_t tick) const {
+  const std::string bs = "BS " + figure(state.bs.value);
+  const std::string threshold = figure(config_.bs.threshold_rad) + " rad";
+  if (!(state.bs.value > config_.bs.threshold_rad)) {
+    enter(state, State::kApproach, tick, bs + " fell back to <= " + threshold);
+    return;
+  }
+  ++state.bs_above;
+  if (state.bs_above >= config_.bs.settle_ticks) {
+    enter(state, State::kMode1, tick,
+          bs + " > " + threshold + " for " + figure_ticks(state.bs_above));
+  }
+}
+
+void BehaviourMachine::watch_for_obstacle(MachineState& state, std::uint32_t tick,
+                                          double as_rad) const {
+  const bool armed = tick - state.entered_tick >= config_.as.arm_ticks;
+  if (strategy_.push.size() < 2 || !armed) {
+    return;
+  }
+  state.as_below = as_rad < as_threshold_rad() ? state.as_below + 1 : 0;
+  if (state.as_below >= config_.as.confirm_ticks) {
+    enter(state, State::kMode2, tick,
+          "AS " + figure(as_rad) + " < " + figure(as_threshold_rad()) + " rad for " +
+              figure_ticks(state.as_below));
+  }
+}
+
+Mode BehaviourMachine::mode_of(State state) const {
+  switch (state) {
+    case State::kApproach:
+    case State::kClimb:
+      return strategy_.approach;
+    case State::kMode1:
+      return strategy_.push.at(0);
+    case State::kMode2:
+      return strategy_.push.at(1);
+    case State::kIdle:
+    case State::kDone:
+    case State::kFailed:
+    case State::kSafeStop:
+      return Mode::kStop;
+  }
+  throw std::invalid_argument("no such state");
+}
+
+double BehaviourMachine::as_threshold_rad() const {
+  return config_.as.reference_rad - config_.as.drop_rad;
+}
+
+}  // namespace scarab::supervisor
