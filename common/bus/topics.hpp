@@ -19,4 +19,18 @@ inline constexpr Topic<scarab_ServiceStatus> kServiceStatus{"scarab/service_stat
                                                             Profile::kStatus};
 inline constexpr Topic<scarab_Operator> kOperator{"scarab/operator", Profile::kCommand};
 
+/// Calls f(topic) for each topic of the list.
+template <class F>
+void for_each_topic(F&& f) {
+  f(kRobotState);
+  f(kRobotSensors);
+  f(kBehaviour);
+  f(kJointCommand);
+  f(kNeuralActivity);
+  f(kWorldState);
+  f(kTrial);
+  f(kServiceStatus);
+  f(kOperator);
+}
+
 }  // namespace scarab::bus

@@ -1,0 +1,110 @@
+#include "common/bus/raw_cdr.hpp"
+
+#include <dds/ddsi/ddsi_cdrstream.h>
+#include <dds/ddsi/ddsi_serdata.h>
+#include <dds/ddsi/q_protocol.h>
+
+#include <algorithm>
+#include <array>
+#include <string>
+
+#include "common/bus/clock.hpp"
+#include "common/bus/error.hpp"
+
+namespace scarab::bus {
+
+namespace {
+
+constexpr std::size_t kHeaderSize = 4;
+
+Error no_sample(const dds_topic_descriptor_t& type, const std::string& why) {
+  return Error(std::string(type.m_typename) + ": " + why);
+}
+
+/// Serialises into a stream whose memory is freed with it.
+class OutputStream {
+ public:
+  OutputStream() { dds_ostream_init(&stream_, 512, CDR_ENC_VERSION_1); }
+  OutputStream(const OutputStream&) = delete;
+  OutputStream& operator=(const OutputStream&) = delete;
+  ~OutputStream() { dds_ostream_fini(&stream_); }
+
+  bool write(const void* sample, const std::uint32_t* ops) {
+    return dds_stream_write(&stream_, static_cast<const char*>(sample), ops) != nullptr;
+  }
+  ByteView bytes() const {
+    return {reinterpret_cast<const std::byte*>(stream_.m_buffer), stream_.m_index};
+  }
+
+ private:
+  dds_ostream_t stream_{};
+};
+
+void decode_payload(const dds_topic_descriptor_t& type, ByteView payload, bool swap,
+                    std::uint32_t version, void* sample) {
+  // Checked and brought into this machine's byte order in place, hence the copy: the stream's own
+  // reading has no bounds checks.
+  Bytes copy(payload.data, payload.data + payload.size);
+  const auto size = static_cast<std::uint32_t>(copy.size());
+  std::uint32_t used = 0;
+  auto* bytes = reinterpret_cast<char*>(copy.data());
+  if (size == 0 ||
+      dds_stream_normalize_data(bytes, &used, size, swap, version, type.m_ops) == nullptr) {
+    throw no_sample(type, "bytes that are no sample of it");
+  }
+  dds_istream_t stream;
+  dds_istream_init(&stream, size, copy.data(), version);
+  dds_stream_read(&stream, static_cast<char*>(sample), type.m_ops);
+}
+
+}  // namespace
+
+Bytes encode_sample(const dds_topic_descriptor_t& type, const void* sample) {
+  OutputStream stream;
+  if (!stream.write(sample, type.m_ops)) throw no_sample(type, "a value that is not of its type");
+  const ByteView payload = stream.bytes();
+  const std::size_t padding = (4 - payload.size % 4) % 4;
+  Bytes out(kHeaderSize + payload.size + padding, std::byte{0});
+  out[1] = std::byte{1};  // plain CDR, little-endian
+  out[3] = static_cast<std::byte>(padding);
+  std::copy_n(payload.data, payload.size, out.begin() + kHeaderSize);
+  return out;
+}
+
+void decode_sample(const dds_topic_descriptor_t& type, ByteView cdr, void* sample) {
+  if (cdr.size < kHeaderSize) throw no_sample(type, "bytes without encapsulation header");
+  const auto representation = std::to_integer<unsigned>(cdr.data[1]);
+  if (cdr.data[0] != std::byte{0} || representation > 1) {
+    throw no_sample(type, "representation other than plain CDR");
+  }
+  decode_payload(type, {cdr.data + kHeaderSize, cdr.size - kHeaderSize}, representation == 0,
+                 CDR_ENC_VERSION_1, sample);
+}
+
+void decode_xcdr2(const dds_topic_descriptor_t& type, ByteView payload, void* sample) {
+  decode_payload(type, payload, false, CDR_ENC_VERSION_2, sample);
+}
+
+std::size_t take_raw(dds_entity_t reader, const std::function<void(const RawSample&)>& f) {
+  constexpr std::uint32_t kBatch = 64;
+  std::size_t count = 0;
+  Bytes bytes;
+  while (true) {
+    std::array<ddsi_serdata*, kBatch> samples{};
+    std::array<dds_sample_info_t, kBatch> infos{};
+    const int taken = check(
+        dds_takecdr(reader, samples.data(), kBatch, infos.data(), DDS_ANY_STATE), "raw reader");
+    const std::int64_t now = now_ns();
+    for (std::size_t i = 0; i < static_cast<std::size_t>(taken); ++i) {
+      bytes.resize(ddsi_serdata_size(samples[i]));
+      ddsi_serdata_to_ser(samples[i], 0, bytes.size(), bytes.data());
+      ddsi_serdata_unref(samples[i]);
+      if (!infos[i].valid_data) continue;
+      f({bytes, infos[i].source_timestamp, now, infos[i].publication_handle});
+      ++count;
+    }
+    if (static_cast<std::uint32_t>(taken) < kBatch) return count;
+  }
+}
+
+}  // namespace scarab::bus

@@ -1,0 +1,195 @@
+#include "common/bus/type_object_walker.hpp"
+
+#include <dds/ddsi/ddsi_xt_typeinfo.h>
+#include <dds/ddsi/ddsi_xt_typemap.h>
+
+#include <algorithm>
+#include <cstring>
+#include <map>
+#include <utility>
+
+#include "common/bus/error.hpp"
+#include "common/bus/raw_cdr.hpp"
+#include "common/bus/sample_fields.hpp"
+
+namespace scarab::bus {
+
+namespace {
+
+using TypeIdentifier = DDS_XTypes_TypeIdentifier;
+using Hash = std::string;
+
+/// A structure of the XTypes standard, decoded from a descriptor and freed with this object.
+template <class T>
+class Decoded {
+ public:
+  Decoded(const dds_topic_descriptor_t& type, const dds_type_meta_ser& bytes) : type_(type) {
+    decode_xcdr2(type, {reinterpret_cast<const std::byte*>(bytes.data), bytes.sz}, &value_);
+  }
+  Decoded(const Decoded&) = delete;
+  Decoded& operator=(const Decoded&) = delete;
+  ~Decoded() { dds_sample_free(&value_, &type_, DDS_FREE_CONTENTS); }
+
+  const T& operator*() const { return value_; }
+  const T* operator->() const { return &value_; }
+
+ private:
+  const dds_topic_descriptor_t& type_;
+  T value_{};
+};
+
+Hash hash_of(const TypeIdentifier& id) {
+  const auto& bytes = id._u.equivalence_hash;
+  return {reinterpret_cast<const char*>(bytes), sizeof(bytes)};
+}
+
+TypeRef make(decltype(Type::kind) kind) {
+  return std::make_shared<const Type>(Type{std::move(kind)});
+}
+
+template <class Bounds>
+std::vector<std::uint32_t> dimensions(const Bounds& bounds) {
+  return {bounds._buffer, bounds._buffer + bounds._length};
+}
+
+/// Follows type identifiers through the type map of one descriptor.
+class Walker {
+ public:
+  Walker(std::string topic_type, const DDS_XTypes_TypeMapping& map)
+      : topic_type_(std::move(topic_type)) {
+    for (const auto& pair : elements(map.identifier_object_pair_complete)) {
+      objects_[hash_of(pair.type_identifier)] = &pair.type_object._u.complete;
+    }
+  }
+
+  TypeRef type_of(const TypeIdentifier& id);
+
+ private:
+  TypeRef named(const TypeIdentifier& id);
+  TypeRef struct_type(const DDS_XTypes_CompleteStructType& from);
+  TypeRef enum_type(const DDS_XTypes_CompleteEnumeratedType& from);
+  TypeRef object_type(const DDS_XTypes_CompleteTypeObject& object);
+  Error unsupported(const std::string& what) const {
+    return Error("type " + topic_type_ + ": " + what + " not supported");
+  }
+
+  std::string topic_type_;
+  std::map<Hash, const DDS_XTypes_CompleteTypeObject*> objects_;
+  std::map<Hash, TypeRef> done_;
+};
+
+const std::map<int, Primitive>& primitives() {
+  static const std::map<int, Primitive> kinds{
+      {DDS_XTypes_TK_BOOLEAN, Primitive::kBoolean}, {DDS_XTypes_TK_BYTE, Primitive::kOctet},
+      {DDS_XTypes_TK_CHAR8, Primitive::kChar},      {DDS_XTypes_TK_INT16, Primitive::kInt16},
+      {DDS_XTypes_TK_INT32, Primitive::kInt32},     {DDS_XTypes_TK_INT64, Primitive::kInt64},
+      {DDS_XTypes_TK_UINT16, Primitive::kUint16},   {DDS_XTypes_TK_UINT32, Primitive::kUint32},
+      {DDS_XTypes_TK_UINT64, Primitive::kUint64},   {DDS_XTypes_TK_FLOAT32, Primitive::kFloat},
+      {DDS_XTypes_TK_FLOAT64, Primitive::kDouble}};
+  return kinds;
+}
+
+TypeRef Walker::type_of(const TypeIdentifier& id) {
+  const auto primitive = primitives().find(id._d);
+  if (primitive != primitives().end()) return make(primitive->second);
+  const auto& u = id._u;
+  switch (id._d) {
+    case DDS_XTypes_TI_STRING8_SMALL:
+      return make(StringType{u.string_sdefn.bound});
+    case DDS_XTypes_TI_STRING8_LARGE:
+      return make(StringType{u.string_ldefn.bound});
+    case DDS_XTypes_TI_PLAIN_SEQUENCE_SMALL:
+      return make(SequenceType{type_of(*u.seq_sdefn.element_identifier), u.seq_sdefn.bound});
+    case DDS_XTypes_TI_PLAIN_SEQUENCE_LARGE:
+      return make(SequenceType{type_of(*u.seq_ldefn.element_identifier), u.seq_ldefn.bound});
+    case DDS_XTypes_TI_PLAIN_ARRAY_SMALL:
+      return make(ArrayType{type_of(*u.array_sdefn.element_identifier),
+                            dimensions(u.array_sdefn.array_bound_seq)});
+    case DDS_XTypes_TI_PLAIN_ARRAY_LARGE:
+      return make(ArrayType{type_of(*u.array_ldefn.element_identifier),
+                            dimensions(u.array_ldefn.array_bound_seq)});
+    case DDS_XTypes_EK_COMPLETE:
+      return named(id);
+    default:
+      throw unsupported("type identifier " + std::to_string(id._d) + " (wide string, map, ...)");
+  }
+}
+
+TypeRef Walker::named(const TypeIdentifier& id) {
+  const Hash hash = hash_of(id);
+  TypeRef& known = done_[hash];
+  if (known) return known;
+  const auto object = objects_.find(hash);
+  if (object == objects_.end()) throw unsupported("incomplete type information");
+  TypeRef made = object_type(*object->second);
+  return done_[hash] = std::move(made);
+}
+
+TypeRef Walker::object_type(const DDS_XTypes_CompleteTypeObject& object) {
+  switch (object._d) {
+    case DDS_XTypes_TK_STRUCTURE:
+      return struct_type(object._u.struct_type);
+    case DDS_XTypes_TK_ENUM:
+      return enum_type(object._u.enumerated_type);
+    case DDS_XTypes_TK_ALIAS: {
+      const auto& alias = object._u.alias_type;
+      return make(
+          AliasType{alias.header.detail.type_name, type_of(alias.body.common.related_type)});
+    }
+    case DDS_XTypes_TK_SEQUENCE: {
+      const auto& sequence = object._u.sequence_type;
+      return make(
+          SequenceType{type_of(sequence.element.common.type), sequence.header.common.bound});
+    }
+    case DDS_XTypes_TK_ARRAY: {
+      const auto& array = object._u.array_type;
+      return make(
+          ArrayType{type_of(array.element.common.type), dimensions(array.header.common.bound_seq)});
+    }
+    default:
+      throw unsupported("type kind " + std::to_string(object._d) + " (union, map, bitmask, ...)");
+  }
+}
+
+TypeRef Walker::struct_type(const DDS_XTypes_CompleteStructType& from) {
+  StructType out{from.header.detail.type_name, {}};
+  if ((from.struct_flags & (DDS_XTypes_IS_APPENDABLE | DDS_XTypes_IS_MUTABLE)) != 0) {
+    throw unsupported("extensible struct " + out.name);
+  }
+  if (from.header.base_type._d != DDS_XTypes_TK_NONE) throw unsupported("base of " + out.name);
+  for (const auto& member : elements(from.member_seq)) {
+    const unsigned flags = member.common.member_flags;
+    if ((flags & DDS_XTypes_IS_OPTIONAL) != 0) {
+      throw unsupported("optional member " + out.name + "." + member.detail.name);
+    }
+    out.members.push_back({member.detail.name, type_of(member.common.member_type_id),
+                           (flags & DDS_XTypes_IS_KEY) != 0});
+  }
+  return make(std::move(out));
+}
+
+TypeRef Walker::enum_type(const DDS_XTypes_CompleteEnumeratedType& from) {
+  EnumType out{from.header.detail.type_name, {}};
+  if (from.header.common.bit_bound > 32 || from.header.common.bit_bound <= 16) {
+    throw unsupported("enum " + out.name + " of other than 32 bits");
+  }
+  for (const auto& literal : elements(from.literal_seq)) {
+    out.literals.push_back({literal.detail.name, literal.common.value});
+  }
+  return make(std::move(out));
+}
+
+}  // namespace
+
+TypeRef walk_type_objects(const dds_topic_descriptor_t& descriptor) {
+  const std::string name = descriptor.m_typename;
+  if ((descriptor.m_flagset & DDS_TOPIC_XTYPES_METADATA) == 0) {
+    throw Error("type " + name + ": no type information");
+  }
+  const Decoded<DDS_XTypes_TypeInformation> information(DDS_XTypes_TypeInformation_desc,
+                                                        descriptor.type_information);
+  const Decoded<DDS_XTypes_TypeMapping> map(DDS_XTypes_TypeMapping_desc, descriptor.type_mapping);
+  return Walker(name, *map).type_of(information->complete.typeid_with_size.type_id);
+}
+
+}  // namespace scarab::bus
