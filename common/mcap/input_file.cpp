@@ -1,0 +1,51 @@
+#include "common/mcap/input_file.hpp"
+
+#include <fcntl.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+#include <cerrno>
+#include <system_error>
+#include <utility>
+
+#include "common/mcap/error.hpp"
+
+namespace scarab::mcap {
+
+InputFile::InputFile(std::filesystem::path path)
+    : path_(std::move(path)), descriptor_(::open(path_.c_str(), O_RDONLY | O_CLOEXEC)) {
+  struct stat status {};
+  if (descriptor_ < 0 || ::fstat(descriptor_, &status) != 0) {
+    const std::string reason = std::generic_category().message(errno);
+    if (descriptor_ >= 0) {
+      ::close(descriptor_);
+    }
+    throw FileError("cannot open " + path_.string() + ": " + reason);
+  }
+  size_ = static_cast<std::uint64_t>(status.st_size);
+}
+
+InputFile::~InputFile() { ::close(descriptor_); }
+
+Bytes InputFile::read(std::uint64_t offset, std::uint64_t length) const {
+  if (offset > size_ || length > size_ - offset) {
+    throw FileError("cannot read " + path_.string() + ": it ends before byte " +
+                    std::to_string(offset) + " + " + std::to_string(length));
+  }
+  Bytes bytes(static_cast<std::size_t>(length));
+  std::size_t done = 0;
+  while (done < bytes.size()) {
+    const ssize_t result = ::pread(descriptor_, bytes.data() + done, bytes.size() - done,
+                                   static_cast<off_t>(offset + done));
+    if (result > 0) {
+      done += static_cast<std::size_t>(result);
+    } else if (result == 0 || errno != EINTR) {
+      throw FileError(
+          "cannot read " + path_.string() + ": " +
+          (result == 0 ? "it has become shorter" : std::generic_category().message(errno)));
+    }
+  }
+  return bytes;
+}
+
+}  // namespace scarab::mcap

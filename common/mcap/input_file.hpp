@@ -1,0 +1,31 @@
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+
+#include "common/mcap/bytes.hpp"
+
+namespace scarab::mcap {
+
+/// A file read by position. Its size is the one at opening, so that a file still being written can
+/// be read.
+class InputFile {
+ public:
+  /// Throws FileError.
+  explicit InputFile(std::filesystem::path path);
+  ~InputFile();
+  InputFile(const InputFile&) = delete;
+  InputFile& operator=(const InputFile&) = delete;
+
+  std::uint64_t size() const { return size_; }
+  const std::filesystem::path& path() const { return path_; }
+  /// The `length` bytes from `offset` on. Throws FileError when they are not all there.
+  Bytes read(std::uint64_t offset, std::uint64_t length) const;
+
+ private:
+  std::filesystem::path path_;
+  int descriptor_ = -1;
+  std::uint64_t size_ = 0;
+};
+
+}  // namespace scarab::mcap
