@@ -1,0 +1,163 @@
+"""Keeps a stack: starts its services in order, restarts the crashed, stops them in reverse."""
+
+import signal
+import subprocess
+import tempfile
+import time
+from typing import Callable, Dict, List, Optional, Sequence
+
+from .failure import Failure, Interrupted
+from .restart_rule import must_wait, restart_allowed
+from .run_directory import RunDirectory
+from .service_child import ServiceChild, how_it_ended
+from .signals import Signals
+from .spawn import spawn
+from .stack import ServiceProcess, Stack
+
+Command = List[str]
+Report = Callable[[Dict[str, object]], None]
+_LOCK_POLL_S = 0.2
+_TERM_PATIENCE_S = 5.0
+
+
+class Keeper:
+    """Runs in a process of its own; `report` tells the launcher (and the log) what happens."""
+
+    def __init__(self, stack: Stack, directory: RunDirectory,
+                 command_of: Callable[[ServiceProcess, int], Command], wait_ready: Sequence[str],
+                 report: Report, signals: Signals):
+        """`command_of(process, n)` is the command line of its n-th start, from 0; `wait_ready` a
+        program that ends with 0 when the whole stack is ready."""
+        self._stack = stack
+        self._directory = directory
+        self._command_of = command_of
+        self._wait_ready_command = wait_ready
+        self._report = report
+        self._signals = signals
+        self._children = [ServiceChild(process, directory, stack.back_off)
+                          for process in stack.processes()]
+
+    def run(self, when_ready: Callable[[], None]) -> int:
+        """Until it is asked to stop. Returns the exit code of the keeper."""
+        try:
+            self._start_all()
+            self._wait_ready()
+            when_ready()
+            self._report({"event": "ready"})
+            self._supervise()
+            return 0
+        except Interrupted:
+            return 0
+        except Failure as failure:
+            self._report({"event": "failed", "text": str(failure)})
+            return failure.exit_code
+        finally:
+            self._stop_all()
+
+    def _start_all(self) -> None:
+        for child in self._children:
+            self._signals.raise_if_stop_requested()
+            try:
+                child.start(self._command_of(child.process, 0))
+            except OSError as error:
+                raise Failure(f"{child.name} cannot be started: {error.strerror}") from None
+            self._report({"event": "started", "service": child.name})
+
+    def _wait_ready(self) -> None:
+        with tempfile.TemporaryFile() as answer:
+            asking = spawn(self._wait_ready_command, stdout=answer, stderr=answer)
+            try:
+                while asking.poll() is None:
+                    self._signals.raise_if_stop_requested()
+                    self._fail_if_one_ended()
+                    self._signals.wait(1.0)
+            finally:
+                _end(asking)
+            self._signals.raise_if_stop_requested()
+            self._fail_if_one_ended()
+            if asking.returncode != 0:
+                answer.seek(0)
+                text = answer.read().decode(errors="replace").strip()
+                raise Failure(f"the stack is not ready after {self._stack.ready_s:g} s:\n{text}")
+
+    def _fail_if_one_ended(self) -> None:
+        for child in self._children:
+            code = child.take_end()
+            if code is not None:
+                tail = "\n".join(f"  {line}" for line in child.last_log_lines())
+                raise Failure(f"{child.name} {how_it_ended(code)} while the stack was starting; "
+                              f"the end of its log:\n{tail or '  (empty)'}")
+
+    def _supervise(self) -> None:
+        while not self._signals.stop_requested:
+            for child in self._children:
+                self._look_after(child)
+            self._signals.wait(self._time_to_next_restart())
+
+    def _look_after(self, child: ServiceChild) -> None:
+        code = child.take_end()
+        if code is not None:
+            rule = child.process.service.restart
+            if not restart_allowed(rule, code):
+                self._report({"event": "lost", "service": child.name, "text": how_it_ended(code)})
+            else:
+                wait_s = child.plan_restart()
+                self._report({"event": "crashed", "service": child.name,
+                              "text": how_it_ended(code), "restart": child.back_off.restarts,
+                              "wait_s": wait_s})
+        if child.restart_due is not None and self._may_restart_now(child):
+            self._restart(child)
+
+    def _restart(self, child: ServiceChild) -> None:
+        try:
+            child.start(self._command_of(child.process, child.back_off.restarts))
+        except OSError as error:  # such as a program that is being rebuilt at this moment
+            child.plan_restart()
+            self._report({"event": "unstartable", "service": child.name, "text": error.strerror})
+            return
+        self._report({"event": "restarted", "service": child.name})
+
+    def _may_restart_now(self, child: ServiceChild) -> bool:
+        return (time.monotonic() >= child.restart_due
+                and not must_wait(child.process.service.restart, self._directory.trial_lock))
+
+    def _time_to_next_restart(self) -> Optional[float]:
+        due = [c.restart_due for c in self._children if c.restart_due is not None]
+        if not due:
+            return None
+        left_s = min(due) - time.monotonic()
+        return left_s if left_s > 0 else _LOCK_POLL_S  # overdue: it waits for the end of a trial
+
+    def _stop_all(self) -> None:
+        for child in reversed(self._children):
+            child.restart_due = None
+            if not child.alive():
+                child.take_end()
+                continue
+            child.signal(signal.SIGTERM)
+            if not self._wait_end(child, child.process.service.stop_s):
+                self._report({"event": "killed", "service": child.name,
+                              "after_s": child.process.service.stop_s})
+                child.signal(signal.SIGKILL)
+                self._wait_end(child, _TERM_PATIENCE_S)
+            code = child.take_end()
+            self._report({"event": "stopped", "service": child.name, "code": code})
+
+    def _wait_end(self, child: ServiceChild, timeout_s: float) -> bool:
+        deadline = time.monotonic() + timeout_s
+        while child.alive():
+            left_s = deadline - time.monotonic()
+            if left_s <= 0:
+                return False
+            self._signals.wait(left_s)
+        return True
+
+
+def _end(process: subprocess.Popen) -> None:
+    if process.poll() is None:
+        process.terminate()
+        try:
+            process.wait(_TERM_PATIENCE_S)
+        except subprocess.TimeoutExpired:
+            process.kill()
+            process.wait()

@@ -1,0 +1,125 @@
+"""The keeper as a process of its own, and the launcher's end of the line to it."""
+
+import json
+import os
+import signal
+import sys
+import time
+import traceback
+from pathlib import Path
+from typing import Callable, Dict, Iterator, List, Optional
+
+from .failure import Failure
+from .process_identity import ProcessIdentity
+from .signals import Signals
+from .spawn import die_with_parent
+
+Event = Dict[str, object]
+Report = Callable[[Event], None]
+
+
+class KeeperLine:
+    """The launcher's side: events of the keeper, and its end."""
+
+    def __init__(self, pid: int, read_end: int, patience_s: float):
+        self._pid = pid
+        self._read_end = read_end
+        self._identity = ProcessIdentity.of(pid)
+        self._patience_s = patience_s
+        self._buffer = b""
+        self._ended = False
+        os.set_blocking(read_end, False)
+
+    def events(self, signals: Signals, timeout_s: Optional[float] = None) -> List[Event]:
+        """Waits for a signal, an event, or the time; then what the keeper has said so far."""
+        readable = [] if self._ended else [self._read_end]
+        signals.wait(timeout_s, readable)
+        return list(self._take())
+
+    @property
+    def ended(self) -> bool:
+        """The keeper is gone (it has closed its end of the line)."""
+        return self._ended
+
+    def let_go(self) -> None:
+        """The keeper stays behind when the launcher ends."""
+        os.close(self._read_end)
+
+    def stop(self, signals: Signals) -> List[Event]:
+        """Asks it to stop the stack and waits until it has. Returns its last events."""
+        events: List[Event] = []
+        deadline = time.monotonic() + self._patience_s
+        self._signal(signal.SIGTERM)
+        while not self._ended and time.monotonic() < deadline:
+            events += self.events(signals, deadline - time.monotonic())
+        if not self._ended:
+            self._signal(signal.SIGKILL)  # its services get SIGTERM from the kernel with it
+        os.waitpid(self._pid, 0)
+        return events
+
+    def _signal(self, number: int) -> None:
+        if self._identity is not None:
+            self._identity.signal(number)
+
+    def _take(self) -> Iterator[Event]:
+        try:
+            while not self._ended:
+                block = os.read(self._read_end, 65536)
+                self._buffer += block
+                self._ended = not block
+        except BlockingIOError:
+            pass
+        *lines, self._buffer = self._buffer.split(b"\n")
+        return (json.loads(line) for line in lines)
+
+
+def fork_keeper(body: Callable[[Report, Signals], int], log_file: Path, attached: bool,
+                patience_s: float) -> KeeperLine:
+    """Runs `body` in a forked process whose output goes to `log_file`.
+
+    An attached keeper stops its stack when the launcher dies; a detached one stays.
+    """
+    read_end, write_end = os.pipe2(os.O_CLOEXEC)
+    parent = os.getpid()
+    try:
+        pid = os.fork()
+    except OSError as error:
+        raise Failure(f"cannot start the keeper process: {error.strerror}") from None
+    if pid:
+        os.close(write_end)
+        return KeeperLine(pid, read_end, patience_s)
+    code = 1
+    try:
+        os.close(read_end)
+        os.setsid()
+        signals = Signals()
+        if attached:
+            die_with_parent(parent)
+        _redirect_output(log_file)
+        code = body(_reporter(write_end), signals)
+    except BaseException:  # the last place that can say anything
+        traceback.print_exc()
+    finally:
+        sys.stderr.flush()
+        os._exit(code)
+
+
+def _redirect_output(log_file: Path) -> None:
+    log = os.open(log_file, os.O_WRONLY | os.O_CREAT | os.O_APPEND | os.O_CLOEXEC, 0o644)
+    nothing = os.open(os.devnull, os.O_RDWR | os.O_CLOEXEC)
+    os.dup2(nothing, 0)
+    os.dup2(log, 1)
+    os.dup2(log, 2)
+
+
+def _reporter(write_end: int) -> Report:
+    def report(event: Event) -> None:
+        now = time.strftime("%Y-%m-%d %H:%M:%S")
+        rest = " ".join(f"{key}={value}" for key, value in event.items() if key != "event")
+        print(f"[{now}] {event['event']} {rest}", file=sys.stderr, flush=True)
+        try:
+            os.write(write_end, json.dumps(event).encode() + b"\n")
+        except OSError:
+            pass  # nobody listens any more, as after `up`; the log has it
+
+    return report

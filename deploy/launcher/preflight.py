@@ -1,0 +1,68 @@
+"""Everything that can be found wrong before anything is started, and what the run then rests on."""
+
+import shutil
+import subprocess
+from pathlib import Path
+from typing import Dict, List
+
+from .failure import Failure, UsageError
+from .places import Places
+from .run_directory import RunDirectory
+from .service_command import configuration_arguments
+from .spawn import clean_environment
+from .stack import Service, ServiceProcess, Stack
+
+_PATIENCE_S = 30.0
+
+
+def check_configuration(places: Places, stack: Stack) -> None:
+    """Lets each service validate its own files. UsageError with its one line at the first that refuses."""
+    for service in stack.services:
+        _ask(places, service, "--check")
+
+
+def resolved_configuration(places: Places, stack: Stack) -> Dict[str, str]:
+    """File name -> text of what each service will run with, defaults and all."""
+    texts = {f"{s.name}.yaml": _ask(places, s, "--dump-config") for s in stack.services}
+    return {name: text for name, text in texts.items() if text.strip()}
+
+
+def write_configuration(directory: RunDirectory, stack: Stack, texts: Dict[str, str],
+                        version: str) -> List[Path]:
+    """Fills `config/` of the run directory; returns its files."""
+    for name, text in texts.items():
+        (directory.config / name).write_text(text)
+    shutil.copyfile(stack.file, directory.config / "stack.yaml")
+    for robot in {s.robot for s in stack.services if s.robot}:
+        shutil.copyfile(robot, directory.config / f"robot-{robot.name}")
+    (directory.config / "version.txt").write_text(version + "\n")
+    return sorted(directory.config.iterdir())
+
+
+def source_version(root: Path) -> str:
+    """`git describe` of the source tree, or "unknown" outside of a clone."""
+    try:
+        done = subprocess.run(["git", "-C", str(root), "describe", "--always", "--dirty", "--tags"],
+                              capture_output=True, text=True, timeout=_PATIENCE_S, check=False)
+    except (OSError, subprocess.TimeoutExpired):
+        return "unknown"
+    return done.stdout.strip() or "unknown"
+
+
+def _ask(places: Places, service: Service, question: str) -> str:
+    command = [str(places.program(service.binary)),
+               *configuration_arguments(ServiceProcess(service, 0)), question]
+    try:
+        done = subprocess.run(command, capture_output=True, text=True, timeout=_PATIENCE_S,
+                              stdin=subprocess.DEVNULL, env=clean_environment(),
+                              start_new_session=True, check=False)
+    except subprocess.TimeoutExpired:
+        raise Failure(f"{service.binary} {question} did not answer "
+                      f"within {_PATIENCE_S:.0f} s") from None
+    except OSError as error:
+        raise Failure(f"{service.binary} cannot be executed: {error.strerror}") from None
+    if done.returncode == 0:
+        return done.stdout
+    lines = done.stderr.strip().splitlines()
+    reason = lines[-1] if lines else f"{service.binary} {question} ended with {done.returncode}"
+    raise (UsageError if done.returncode == 2 else Failure)(reason)

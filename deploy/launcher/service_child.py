@@ -1,0 +1,72 @@
+"""One process of the stack as its keeper sees it."""
+
+import subprocess
+import time
+from pathlib import Path
+from typing import List, Optional, Sequence
+
+from .back_off import BackOff
+from .process_identity import ProcessIdentity, write_json
+from .run_directory import RunDirectory
+from .spawn import spawn
+from .stack import BackOffTimes, ServiceProcess
+
+
+class ServiceChild:
+    """Starts a service process again and again under the same name, log file and pid file."""
+
+    def __init__(self, process: ServiceProcess, directory: RunDirectory, times: BackOffTimes):
+        self.process = process
+        self.name = process.name
+        self.restart_due: Optional[float] = None  # time.monotonic() of a planned restart
+        self.back_off = BackOff(times)
+        self._log_file = directory.log_of(self.name)
+        self._pid_file = directory.pid_file_of(self.name)
+        self._popen: Optional[subprocess.Popen] = None
+        self._started = 0.0
+
+    def start(self, command: Sequence[str]) -> None:
+        with open(self._log_file, "ab") as log:
+            self._popen = spawn(command, stdout=log, stderr=log)
+        self._started = time.monotonic()
+        self.restart_due = None
+        identity = ProcessIdentity.of(self._popen.pid)
+        if identity:
+            write_json(self._pid_file, {**identity.to_json(), "restarts": self.back_off.restarts})
+
+    def alive(self) -> bool:
+        return self._popen is not None and self._popen.poll() is None
+
+    def take_end(self) -> Optional[int]:
+        """The return code if it has ended since the last call, else None."""
+        if self._popen is None or self._popen.poll() is None:
+            return None
+        code = self._popen.returncode
+        self._popen = None
+        self._pid_file.unlink(missing_ok=True)
+        return code
+
+    def plan_restart(self) -> float:
+        """After an end: returns the wait in seconds."""
+        wait_s = self.back_off.crashed(time.monotonic() - self._started)
+        self.restart_due = time.monotonic() + wait_s
+        return wait_s
+
+    def signal(self, number: int) -> None:
+        if self._popen is not None:
+            self._popen.send_signal(number)
+
+    def last_log_lines(self, count: int = 10) -> List[str]:
+        return last_lines(self._log_file, count)
+
+
+def last_lines(file: Path, count: int) -> List[str]:
+    try:
+        return file.read_text(errors="replace").splitlines()[-count:]
+    except OSError:
+        return []
+
+
+def how_it_ended(code: int) -> str:
+    """A Popen return code in words."""
+    return f"was ended by signal {-code}" if code < 0 else f"ended with exit code {code}"

@@ -1,0 +1,123 @@
+#!/usr/bin/python3
+"""Stands in for every compiled program of the stack in the launcher's tests.
+
+It is installed under the programs' names into a folder of the test. What it does is told by files in
+`<folder>/orders/`, and it writes what it lived through to `<folder>/journal`.
+"""
+
+import os
+import signal
+import sys
+import time
+from pathlib import Path
+
+FOLDER = Path(__file__).resolve().parent
+NAME = Path(sys.argv[0]).name
+
+
+def journal(word):
+    with open(FOLDER / "journal", "a") as file:
+        file.write(f"{word} {NAME} {os.getpid()}\n")
+
+
+def order(word):
+    """The text of an order for this program, or None."""
+    file = FOLDER / "orders" / f"{NAME}.{word}"
+    return file.read_text() if file.exists() else None
+
+
+def value_of(option, default=""):
+    return sys.argv[sys.argv.index(option) + 1] if option in sys.argv else default
+
+
+def wait_until(condition, timeout_s):
+    deadline = time.monotonic() + timeout_s
+    while not condition():
+        if time.monotonic() > deadline:
+            return False
+        time.sleep(0.01)
+    return True
+
+
+def up_file(service):
+    return FOLDER / f"up.{value_of('--domain', '0')}.{service}"
+
+
+def serve():
+    stopped = []
+    for number in (signal.SIGTERM, signal.SIGINT):
+        signal.signal(number, lambda *_: stopped.append(1))
+    journal("start")
+    (FOLDER / f"{NAME}.environment").write_text("\n".join(sorted(os.environ)))
+    (FOLDER / f"{NAME}.command").write_text("\n".join(sys.argv[1:]))
+    print("a line of", NAME, file=sys.stderr, flush=True)
+    if order("die-at-start"):
+        print("cannot open the device", file=sys.stderr)
+        return 1
+    output = Path(value_of("--output")) if "--output" in sys.argv else None
+    active = output.with_name(output.name + ".active") if output else None
+    if active:
+        active.write_text("log\n")
+    up_file(NAME).write_text(str(os.getpid()))
+    while not (stopped and not order("ignore-term")):
+        if order("crash"):
+            (FOLDER / "orders" / f"{NAME}.crash").unlink()
+            journal("crash")
+            os.kill(os.getpid(), signal.SIGKILL)
+        time.sleep(0.01)
+    up_file(NAME).unlink(missing_ok=True)
+    if active:
+        os.replace(active, output)
+    journal("stop")
+    return 0
+
+
+def status():
+    while order("hold"):
+        time.sleep(0.01)
+    services = [part.split("=")[0] for part in value_of("--wait").split(",") if part]
+    if order("never-ready") is None and wait_until(
+            lambda: all(up_file(f"scarab-{s}").exists() for s in services),
+            float(value_of("--timeout", "1"))):
+        return 0
+    print("missing: premotor")
+    return 1
+
+
+def experiment():
+    stopped = []
+    signal.signal(signal.SIGTERM, lambda *_: stopped.append(1))
+    journal("start")
+    print("progress", flush=True)
+    (FOLDER / "trial-runs").write_text("")
+    while order("hold") and not stopped:
+        time.sleep(0.01)
+    (FOLDER / "trial-runs").unlink(missing_ok=True)
+    if stopped:
+        journal("stop")
+        return 130
+    Path(value_of("--results")).write_text("trial,success\n1,1\n")
+    print("result: success", flush=True)
+    return int(order("exit-code") or 0)
+
+
+def main():
+    if "--check" in sys.argv:
+        if order("refuse"):
+            print(order("refuse"), file=sys.stderr)
+            return 2
+        return 0
+    if "--dump-config" in sys.argv:
+        print("resolved: true")
+        return 0
+    if NAME == "scarab-status":
+        return status()
+    if NAME == "scarab-experiment":
+        return experiment()
+    if NAME == "scarab-log":
+        print("header.sim_time_ns")
+        return 1
+    return serve()
+
+
+sys.exit(main())

@@ -1,0 +1,94 @@
+"""The launcher's smaller parts: back-off, run directories, domain claims, trial locks."""
+
+import os
+import tempfile
+import unittest
+from concurrent.futures import ThreadPoolExecutor
+from pathlib import Path
+
+import fake_stack  # noqa: F401  puts the launcher on the path
+from launcher.back_off import BackOff
+from launcher.domain_claim import DomainClaim, claim_domain
+from launcher.failure import Failure
+from launcher.restart_rule import must_wait, restart_allowed
+from launcher.run_directory import create_run_directory, run_directories
+from launcher.stack import BackOffTimes, Restart
+from launcher.trial_lock import TrialLock, trial_is_running
+
+
+class BackOffTest(unittest.TestCase):
+    def test_doubles_up_to_the_cap(self):
+        back_off = BackOff(BackOffTimes(0.1, 0.5, 30))
+        waits = [back_off.crashed(0.0) for _ in range(5)]
+        self.assertEqual(waits, [0.1, 0.2, 0.4, 0.5, 0.5])
+        self.assertEqual(back_off.restarts, 5)
+
+    def test_starts_over_after_a_long_good_run(self):
+        back_off = BackOff(BackOffTimes(0.1, 5, 30))
+        self.assertEqual([back_off.crashed(t) for t in (0, 0, 30)], [0.1, 0.2, 0.1])
+
+
+class RunDirectoryTest(unittest.TestCase):
+    def setUp(self):
+        room = tempfile.TemporaryDirectory()
+        self.addCleanup(room.cleanup)
+        self.runs = Path(room.name) / "runs"
+
+    def test_many_at_once_get_directories_of_their_own(self):
+        with ThreadPoolExecutor(8) as pool:
+            made = list(pool.map(lambda _: create_run_directory(self.runs).path, range(24)))
+        self.assertEqual(len(set(made)), 24)
+        numbers = sorted(int(path.name.rsplit("-", 1)[1]) for path in made)
+        self.assertEqual(numbers, list(range(1, 25)))
+
+    def test_latest_points_to_the_newest_and_ten_follows_nine(self):
+        for _ in range(11):
+            newest = create_run_directory(self.runs)
+        self.assertTrue(newest.path.name.endswith("-11"))
+        self.assertEqual((self.runs / "latest").resolve(), newest.path.resolve())
+        self.assertEqual(run_directories(self.runs)[-1], newest.path)
+
+    def test_place_that_cannot_be_written_is_a_failure_in_words(self):
+        file = self.runs.parent / "file"
+        file.write_text("")
+        with self.assertRaisesRegex(Failure, "cannot make a run directory"):
+            create_run_directory(file)
+
+
+class DomainClaimTest(unittest.TestCase):
+    def test_a_domain_is_claimed_once_and_free_again_after_its_release(self):
+        first = DomainClaim(221)
+        with self.assertRaisesRegex(Failure, "DDS domain 221 is in use"):
+            DomainClaim(221)
+        first.release()
+        DomainClaim(221).release()
+
+    def test_without_a_wish_two_stacks_get_two_domains(self):
+        first, second = claim_domain(None), claim_domain(None)
+        self.assertNotEqual(first.domain, second.domain)
+        first.release()
+        second.release()
+
+
+class RestartRule(unittest.TestCase):
+    def test_plant_waits_for_the_end_of_the_trials(self):
+        with tempfile.TemporaryDirectory() as folder:
+            file = Path(folder) / "trial.lock"
+            self.assertFalse(must_wait(Restart.BETWEEN_TRIALS, file))
+            lock = TrialLock.try_take(file)
+            self.assertTrue(trial_is_running(file))
+            self.assertIsNone(TrialLock.try_take(file))
+            self.assertTrue(must_wait(Restart.BETWEEN_TRIALS, file))
+            self.assertFalse(must_wait(Restart.ALWAYS, file))
+            lock.release()
+            self.assertFalse(must_wait(Restart.BETWEEN_TRIALS, file))
+
+    def test_bad_configuration_is_not_tried_again(self):
+        self.assertFalse(restart_allowed(Restart.ALWAYS, 2))
+        self.assertFalse(restart_allowed(Restart.NEVER, -9))
+        self.assertTrue(restart_allowed(Restart.ALWAYS, -9))
+        self.assertTrue(restart_allowed(Restart.BETWEEN_TRIALS, os.EX_OK))
+
+
+if __name__ == "__main__":
+    unittest.main()

@@ -1,0 +1,103 @@
+"""stack.yaml: what is read, and the one line of every mistake."""
+
+import re
+import tempfile
+import unittest
+from pathlib import Path
+
+from fake_stack import SOURCE_ROOT, STACK
+from launcher.failure import ConfigError, UsageError
+from launcher.stack import Restart
+from launcher.stack_file import read_stack
+
+REPOSITORY_FILE = SOURCE_ROOT / "deploy" / "stack.yaml"
+
+
+class StackFile(unittest.TestCase):
+    def read(self, text, profile="sim"):
+        with tempfile.TemporaryDirectory() as folder:
+            file = Path(folder) / "stack.yaml"
+            file.write_text(text)
+            return read_stack(file, profile, Path("/root-of-tree"))
+
+    def mistake(self, text):
+        """`line:col: key: reason` of the mistake in the text."""
+        with self.assertRaises(ConfigError) as caught:
+            self.read(text)
+        line = str(caught.exception)
+        self.assertNotIn("\n", line)
+        match = re.fullmatch(r".*/stack\.yaml:(\d+:\d+: .*)", line)
+        self.assertIsNotNone(match, line)
+        return match[1]
+
+    def test_repository_file(self):
+        stack = read_stack(REPOSITORY_FILE, "sim", SOURCE_ROOT)
+        self.assertEqual([s.name for s in stack.services],
+                         ["logger", "plant", "supervisor", "premotor"])
+        self.assertEqual(stack.expected(), "logger=1,plant=1,supervisor=1,premotor=1")
+        self.assertIs(stack.service("plant").restart, Restart.BETWEEN_TRIALS)
+        self.assertEqual(stack.service("plant").config, SOURCE_ROOT / "config/plant/default.yaml")
+
+    def test_robot_profile_says_that_it_cannot_be_started(self):
+        with self.assertRaisesRegex(UsageError, "scarab-robot-bridge"):
+            read_stack(REPOSITORY_FILE, "robot", SOURCE_ROOT)
+
+    def test_instances_are_processes_with_names_of_their_own(self):
+        stack = self.read(STACK.replace("scarab-premotor, instances: 1",
+                                        "scarab-premotor, instances: 2"))
+        self.assertEqual([p.name for p in stack.processes()],
+                         ["logger", "plant", "premotor", "premotor-1"])
+        self.assertEqual(stack.expected(), "logger=1,plant=1,premotor=2")
+
+    def test_unknown_key(self):
+        self.assertEqual(self.mistake(STACK.replace("log_level", "log_levl")),
+                         "3:1: log_levl: unknown key (did you mean 'log_level'?)")
+        self.assertEqual(self.mistake(STACK.replace("plant: {binary", "plant: {binaries")),
+                         "8:11: services.plant.binaries: unknown key (did you mean 'binary'?)")
+
+    def test_duplicate_key(self):
+        self.assertEqual(self.mistake(STACK + "log_level: info\n"), "12:1: log_level: duplicate key")
+        self.assertEqual(self.mistake(STACK.replace("  plant:", "  logger:")),
+                         "8:3: services.logger: duplicate key")
+
+    def test_missing_key(self):
+        self.assertEqual(self.mistake(STACK.replace("log_level: info", "")),
+                         "2:1: log_level: missing key")
+
+    def test_wrong_types_and_ranges(self):
+        for old, new, reason in (
+                ("ready_s: 20", "ready_s: soon", "expected a number, found a text 'soon'"),
+                ("ready_s: 20", "ready_s: .nan", "expected a finite number, found '.nan'"),
+                ("ready_s: 20", "ready_s: 0", "0 is out of range [0.1, 600]"),
+                ("plant, instances: 1", "plant, instances: 1.5", "expected an integer"),
+                ("plant, instances: 1", "plant, instances: 0", "0 is out of range [1, 8]"),
+                ("plant, instances: 1", "plant, instances: 010", "expected a decimal integer"),
+                ("plant, instances: 1", "plant, instances: yes", "expected an integer"),
+                ("log_level: info", "log_level: inf", "did you mean 'info'?"),
+                ("binary: scarab-plant", "binary: bin/scarab-plant", "is a path"),
+                ("binary: scarab-plant", "binary: ''", "must not be empty"),
+                ("restart: between_trials", "restart: sometimes", "one of always"),
+                ("bus: {interface: lo, tag: \"\"}", "bus: lo", "expected a mapping"),
+                ("services: [logger, plant, premotor]", "services: []", "at least one"),
+                ("services: [logger, plant, premotor]", "services: logger", "expected a list"),
+                ("services: [logger, plant, premotor]", "services: [plant, logger]", "order"),
+                ("services: [logger, plant, premotor]", "services: [plnt]", "did you mean 'plant'?"),
+                ("services: [logger, plant, premotor]", "services: [plant, plant]", "twice")):
+            with self.subTest(new=new):
+                self.assertIn(old, STACK)
+                self.assertIn(reason, self.mistake(STACK.replace(old, new)))
+
+    def test_what_is_no_yaml(self):
+        self.assertIn("not valid YAML", self.mistake("bus: [lo"))
+        self.assertIn("not valid YAML", self.mistake("bus: \x01"))
+        self.assertIn("is empty", self.mistake("# nothing\n"))
+        with self.assertRaisesRegex(ConfigError, "absent.yaml:1:1: file: cannot be read"):
+            read_stack(Path("/absent.yaml"), "sim", SOURCE_ROOT)
+
+    def test_profile_that_is_not_there(self):
+        with self.assertRaisesRegex(UsageError, "no profile 'simm' .did you mean 'sim'"):
+            self.read(STACK, "simm")
+
+
+if __name__ == "__main__":
+    unittest.main()
