@@ -2,38 +2,37 @@
 
 #include <array>
 #include <cstddef>
+#include <string>
 #include <string_view>
 
 namespace scarab::safety {
 
-/// What the command gate says of an offered command.
-enum class Verdict {
+/// What became of a command that was offered to the gate.
+enum class Outcome {
   kAccepted,    ///< the answer that was wanted
-  kDuplicate,   ///< the accepted answer again, from a replica or a restarted service: fine
+  kDuplicate,   ///< an answer already known, again, from a replica or a restarted service: fine
   kInactive,    ///< refused: no trial runs
-  kNotFinite,   ///< refused: a target is NaN or infinite
+  kNotFinite,   ///< refused: a target is NaN or infinite; a fault of who wrote it
   kWrongTrial,  ///< refused: of another trial
-  kStaleTick,   ///< refused: answers a tick that is over, or too late
+  kStaleTick,   ///< refused: answers a tick that is over
   kFutureTick,  ///< refused: answers a tick that has not been asked
   kConflict,    ///< refused: a second, different answer to one tick; a fault of who wrote it
-  kSafeStop,    ///< refused: the safe stop holds until it is reset
+  kSafeStop,    ///< the wanted answer, but not applied: the safe stop holds until it is reset
 };
 
-inline constexpr std::size_t kVerdictCount = 9;
+inline constexpr std::size_t kOutcomeCount = 9;
 
-/// As counted and shown in service_status, in the order of Verdict.
-inline constexpr std::array<std::string_view, kVerdictCount> kVerdictNames = {
-    "accepted",           "duplicate",           "refused_inactive",
-    "refused_not_finite", "refused_wrong_trial", "refused_stale",
-    "refused_future",     "refused_conflict",    "refused_safe_stop"};
+/// As counted and shown in service_status, in the order of Outcome.
+inline constexpr std::array<std::string_view, kOutcomeCount> kOutcomeNames = {
+    "commands_accepted",       "commands_duplicate",        "commands_refused_inactive",
+    "commands_refused_finite", "commands_refused_trial",    "commands_refused_stale",
+    "commands_refused_future", "commands_refused_conflict", "commands_refused_safe_stop"};
 
-constexpr std::string_view name(Verdict verdict) {
-  return kVerdictNames[static_cast<std::size_t>(verdict)];
-}
-
-/// The command stands (new or again); otherwise it was refused.
-constexpr bool stands(Verdict verdict) {
-  return verdict == Verdict::kAccepted || verdict == Verdict::kDuplicate;
-}
+/// The gate's answer to one offer.
+struct Verdict {
+  Outcome outcome = Outcome::kInactive;
+  bool answers = false;  ///< the expected tick now has its answer: the tick master may go on
+  std::string fault;     ///< not empty: what is wrong with the writer of this command
+};
 
 }  // namespace scarab::safety

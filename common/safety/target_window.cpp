@@ -1,12 +1,11 @@
-#include "common/safety/command_window.hpp"
+#include "common/safety/target_window.hpp"
 
 #include <algorithm>
 
 namespace scarab::safety {
 
-double within_window(const robot::Joint& joint, double previous_rad, double wanted_rad,
-                     double dt_s) {
-  const double reach_rad = joint.velocity_max_rad_s * dt_s;
+double within_window(double previous_rad, double wanted_rad, double velocity_rad_s, double dt_s) {
+  const double reach_rad = velocity_rad_s * dt_s;
   return std::clamp(wanted_rad, previous_rad - reach_rad, previous_rad + reach_rad);
 }
 

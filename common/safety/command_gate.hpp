@@ -1,0 +1,98 @@
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <optional>
+#include <string>
+
+#include "common/robot/joints.hpp"
+#include "common/robot/robot_model.hpp"
+#include "common/safety/gate_counters.hpp"
+#include "common/safety/target_limiter.hpp"
+#include "common/safety/verdict.hpp"
+
+namespace scarab::safety {
+
+struct GateOptions {
+  double tick_period_s = 0.1;
+  double homing_velocity_rad_s = 1.0;  ///< limit of each joint on its way out of a safe stop
+  /// So many ticks in a row without a standing answer bring the safe stop: the real-time mode,
+  /// where a command older than this is stale. 0: never, the lockstep mode, where the tick master
+  /// waits instead.
+  std::uint32_t stale_ticks_limit = 0;
+};
+
+/// A command as it came from the bus.
+struct Offer {
+  std::uint32_t trial = 0;
+  std::uint32_t tick = 0;
+  bool stop = false;  ///< hold the present targets; position_rad is ignored
+  robot::JointVector position_rad{};
+};
+
+/// The only way from a command to a servo, the same for the simulated plant and a real robot:
+/// decides which command answers a tick, and moves the targets no further than range, torque and
+/// speed allow.
+///
+/// A trial is active between begin_trial() and end_trial(). For each tick the tick master calls
+/// expect(), offers what arrives, and applies target_rad(). In safe stop the targets hold still,
+/// whatever arrives; only reset() ends it, and then each joint homes slowly until it has caught up
+/// with the commands. An ended or a new trial does not end a safe stop.
+class CommandGate {
+ public:
+  /// Throws std::invalid_argument if an option is not above 0 where it must be.
+  CommandGate(const robot::RobotModel& robot, const GateOptions& options);
+  CommandGate(const robot::RobotModel& robot, double tick_period_s)
+      : CommandGate(robot, GateOptions{tick_period_s, GateOptions{}.homing_velocity_rad_s, 0}) {}
+
+  /// `held_rad`: where the robot stands; throws std::invalid_argument if not finite.
+  void begin_trial(std::uint32_t trial, const robot::JointVector& held_rad);
+  void end_trial() noexcept;
+
+  /// The tick whose answer is wanted from now on; all earlier ones are over.
+  void expect(std::uint32_t tick);
+  /// Where the joints stand now (rad): lets the torque limit act on the next command. Only for
+  /// servos that have no torque limit of their own.
+  void observe(const robot::JointVector& measured_rad) { measured_rad_ = measured_rad; }
+  Verdict offer(const Offer& offer);
+
+  /// What to apply (rad, joint slots): always finite, 0 for absent joints.
+  [[nodiscard]] const robot::JointVector& target_rad() const { return limiter_.target_rad(); }
+
+  /// Latched until reset().
+  void emergency_stop(std::string reason) noexcept;
+  void reset() noexcept;
+  /// Targets hold still; a driver whose robot asks for it drops the torque meanwhile.
+  [[nodiscard]] bool in_safe_stop() const noexcept { return safe_stop_; }
+  [[nodiscard]] const std::string& safe_stop_reason() const noexcept { return safe_stop_reason_; }
+  /// A joint is still on its slow way out of a safe stop.
+  [[nodiscard]] bool homing() const { return limiter_.homing(); }
+
+  [[nodiscard]] const GateCounters& counters() const noexcept { return counters_; }
+
+ private:
+  Verdict judge(const Offer& offer);
+  Verdict accept(const Offer& offer);
+  [[nodiscard]] Verdict compare(const Offer& known, const Offer& offer) const;
+  [[nodiscard]] std::optional<std::size_t> not_finite(const Offer& offer) const;
+  [[nodiscard]] const Offer* remembered(std::uint32_t tick) const;
+
+  robot::RobotModel robot_;
+  GateOptions options_;
+  TargetLimiter limiter_;
+  GateCounters counters_;
+
+  std::optional<std::uint32_t> trial_;     ///< while one is active
+  std::optional<std::uint32_t> expected_;  ///< the tick that is asked
+  bool answered_ = false;                  ///< the expected tick has its answer
+  std::uint32_t stale_ticks_ = 0;          ///< in a row without an answer
+  std::optional<robot::JointVector> measured_rad_;
+  bool safe_stop_ = false;
+  std::string safe_stop_reason_;
+
+  /// Answers to the newest ticks, by tick modulo the size: a replica's late answer is compared, not
+  /// just refused. As many as the readers of the chain's topics keep.
+  std::array<std::optional<Offer>, 64> answers_;
+};
+
+}  // namespace scarab::safety
