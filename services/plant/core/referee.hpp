@@ -1,0 +1,48 @@
+#pragma once
+
+#include <string>
+
+#include "services/plant/core/bodies.hpp"
+#include "services/plant/core/contact_geometry.hpp"
+#include "services/plant/core/plant_config.hpp"
+#include "services/plant/core/trial_spec.hpp"
+#include "services/plant/core/world_truth.hpp"
+
+namespace scarab::plant {
+
+struct Ruling {
+  Verdict verdict = Verdict::kOpen;
+  double time_s = 0;   ///< 0 while open
+  std::string reason;  ///< one sentence with figures; empty while open
+};
+
+/// What the referee looks at.
+struct Standing {
+  double time_s = 0;
+  Eigen::Vector3d trunk_end = Eigen::Vector3d::Zero();  ///< middle of the trunk's rear end
+  double trunk_tilt_rad = 0;                            ///< of its vertical against gravity
+  Eigen::Vector3d object = Eigen::Vector3d::Zero();     ///< middle of the object's axis
+  double object_travel_m = 0;
+};
+
+/// Judges a trial's goal on the ground truth.
+///
+/// travel: the object has travelled the distance. across: the object's axis is across_margin_m past the
+/// wall (towards -x). Failure: robot overturned; object lost (too far from the trunk's end, along the path
+/// or sideways); time limit, which without a goal is the success instead.
+class Referee {
+ public:
+  Referee(const RefereeConfig& config, const TrialSpec& trial, const Wall& wall);
+
+  [[nodiscard]] Ruling judge(const Standing& standing) const;
+
+ private:
+  RefereeConfig config_;
+  TrialSpec trial_;
+  Wall wall_;
+};
+
+[[nodiscard]] Standing standing(const MotionState& state, double time_s, double trunk_half_length_m,
+                                double object_start_x_m);
+
+}  // namespace scarab::plant

@@ -1,0 +1,142 @@
+#include "services/plant/core/simulation.hpp"
+
+#include <cmath>
+#include <stdexcept>
+
+#include "services/plant/core/morphology.hpp"
+#include "services/plant/core/referee.hpp"
+#include "services/plant/core/scene.hpp"
+#include "services/plant/core/sensors.hpp"
+#include "services/plant/core/stepper.hpp"
+#include "services/plant/core/timing.hpp"
+
+namespace scarab::plant {
+namespace {
+
+using Eigen::Index;
+using Eigen::Vector3d;
+
+std::array<double, 3> to_array(const Vector3d& v) { return {v.x(), v.y(), v.z()}; }
+
+Pose pose(const Vector3d& position, const Eigen::Quaterniond& turn) {
+  return {to_array(position), {turn.w(), turn.x(), turn.y(), turn.z()}};
+}
+
+Twist twist(const SpeedVector& speed, std::size_t at) {
+  return {to_array(speed.segment<3>(static_cast<Index>(at + 3))),
+          to_array(speed.segment<3>(static_cast<Index>(at)))};
+}
+
+ContactTruth contact_truth(const ResolvedContact& resolved) {
+  const Contact& contact = resolved.contact;
+  return {contact.a.solid,         contact.a.leg,
+          contact.b.solid,         contact.b.leg,
+          to_array(contact.touch.point), to_array(resolved.force_n),
+          contact.touch.depth};
+}
+
+}  // namespace
+
+class Simulation::Impl {
+ public:
+  Impl(const robot::RobotModel& robot, const PlantConfig& config, const TrialSpec& trial)
+      : config_(config),
+        trial_(trial),
+        timing_(make_timing(config.timing)),
+        step_s_(static_cast<double>(timing_.step_ns) * 1e-9),
+        morphology_(make_morphology(robot, config.object)),
+        wall_(make_wall(config, trial)),
+        referee_(config.referee, trial, wall_),
+        stepper_(morphology_, config, wall_),
+        state_(start_state(morphology_, config, perturbation(trial))),
+        reference_(state_.joint_rad) {
+    settle();
+    object_start_x_ = state_.object_position.x();
+  }
+
+  [[nodiscard]] Observation observe() const {
+    Observation out = measure(morphology_, state_, stepper_, config_.gravity_m_s2);
+    const auto sample = static_cast<std::uint64_t>(time_ns_ / timing_.sensor_period_ns);
+    add_noise(config_.noise, morphology_, trial_.seed, sample, out);
+    return out;
+  }
+
+  [[nodiscard]] WorldTruth truth() const {
+    WorldTruth out;
+    out.trunk = pose(state_.trunk_position, state_.trunk_orientation);
+    out.trunk_twist = twist(state_.speed, kTrunkSpeed);
+    out.object = pose(state_.object_position, state_.object_orientation);
+    out.object_twist = twist(state_.speed, kObjectSpeed);
+    out.object_travel_m = object_start_x_ - state_.object_position.x();
+    out.obstacle_present = wall_.height > 0;
+    out.obstacle_x_m = wall_.x;
+    out.obstacle_height_m = wall_.height;
+    for (const ResolvedContact& contact : stepper_.contacts()) {
+      out.contacts.push_back(contact_truth(contact));
+    }
+    out.verdict = ruling_.verdict;
+    out.verdict_time_s = ruling_.time_s;
+    out.verdict_reason = ruling_.reason;
+    return out;
+  }
+
+  [[nodiscard]] std::int64_t time_ns() const { return time_ns_; }
+
+  void advance(const robot::JointVector& targets, const std::function<void()>& sample) {
+    for (std::int64_t i = 0; i < timing_.samples_per_tick; ++i) {
+      for (std::int64_t k = 0; k < timing_.steps_per_sample; ++k) {
+        stepper_.step(targets, step_s_, reference_, state_);
+      }
+      time_ns_ += timing_.sensor_period_ns;
+      if (!state_.speed.allFinite()) {
+        throw std::runtime_error("the plant's motion is no longer finite at " +
+                                 std::to_string(time_ns_) + " ns");
+      }
+      if (sample && i + 1 < timing_.samples_per_tick) sample();
+    }
+    if (ruling_.verdict == Verdict::kOpen) {
+      ruling_ = referee_.judge(standing(state_, static_cast<double>(time_ns_) * 1e-9,
+                                        -morphology_.rear_box.low.x(), object_start_x_));
+    }
+  }
+
+ private:
+  /// The stance is reached on the ground before the trial's time begins.
+  void settle() {
+    const robot::JointVector targets = start_targets(config_.start);
+    const auto steps = std::max<std::int64_t>(
+        1, std::llround(config_.start.settle_s * 1e9 / static_cast<double>(timing_.step_ns)));
+    for (std::int64_t i = 0; i < steps; ++i) stepper_.step(targets, step_s_, reference_, state_);
+  }
+
+  PlantConfig config_;
+  TrialSpec trial_;
+  Timing timing_;
+  double step_s_;
+  Morphology morphology_;
+  Wall wall_;
+  Referee referee_;
+  Stepper stepper_;
+  MotionState state_;
+  robot::JointVector reference_;
+  double object_start_x_ = 0;
+  std::int64_t time_ns_ = 0;
+  Ruling ruling_;
+};
+
+Simulation::Simulation(const robot::RobotModel& robot, const PlantConfig& config,
+                       const TrialSpec& trial)
+    : impl_(std::make_unique<Impl>(robot, config, trial)) {}
+Simulation::~Simulation() = default;
+Simulation::Simulation(Simulation&&) noexcept = default;
+Simulation& Simulation::operator=(Simulation&&) noexcept = default;
+
+Observation Simulation::observe() const { return impl_->observe(); }
+WorldTruth Simulation::truth() const { return impl_->truth(); }
+std::int64_t Simulation::time_ns() const { return impl_->time_ns(); }
+
+void Simulation::advance(const robot::JointVector& targets, const std::function<void()>& sample) {
+  impl_->advance(targets, sample);
+}
+
+}  // namespace scarab::plant

@@ -1,0 +1,71 @@
+#pragma once
+
+#include <vector>
+
+#include "services/plant/core/collision.hpp"
+#include "services/plant/core/contact_law.hpp"
+#include "services/plant/core/mass_matrix.hpp"
+#include "services/plant/core/robot_tree.hpp"
+#include "services/plant/core/servo.hpp"
+
+namespace scarab::plant {
+
+/// A contact and the force it had over the last step, on solid b, N.
+struct ResolvedContact {
+  Contact contact;
+  Eigen::Vector3d force_n = Eigen::Vector3d::Zero();
+  double normal_n = 0;
+};
+
+/// One step of the linearly implicit Euler method:
+///
+///   (M + armature + dt D + dt^2 K) du = dt f,   u += du,   q += dt u
+///
+/// f: gravity, inertial, servo, stop and contact forces at the present positions and at velocities that
+/// include dt K; D, K: damping and stiffness of servos, stops, normal contact, friction (secant slope,
+/// lagged normal force) and rolling resistance, through their Jacobians. Solved by Cholesky; orientations
+/// follow the exponential map. Stable for contact stiffnesses an explicit method would need 20 us for.
+class Stepper {
+ public:
+  Stepper(const Morphology& morphology, const PlantConfig& config, const Wall& wall);
+
+  /// Advances `state` by dt_s; servos slew `reference_rad` towards `targets_rad` on the way.
+  void step(const robot::JointVector& targets_rad, double dt_s, robot::JointVector& reference_rad,
+            MotionState& state);
+
+  /// Of the last step. Forces are those that acted over it.
+  [[nodiscard]] const std::vector<ResolvedContact>& contacts() const { return resolved_; }
+  [[nodiscard]] const robot::JointVector& servo_torque_nm() const { return servo_torque_; }
+  [[nodiscard]] const SpeedVector& acceleration() const { return acceleration_; }
+
+ private:
+  void add_joints(const robot::JointVector& targets_rad, double dt_s,
+                  robot::JointVector& reference_rad, const MotionState& state);
+  void add_contacts(double dt_s);
+  void resolve();
+  void lock_absent_joints();
+
+  Morphology morphology_;
+  PlantConfig config_;
+  RobotTree tree_;
+  MassMatrix mass_matrix_;
+  Collision collision_;
+  ContactLaw contact_law_;
+
+  // Scratch, kept to avoid allocation.
+  Kinematics kinematics_;
+  SpeedMatrix system_;
+  SpeedVector speed_, force_, inertial_;
+  Eigen::LLT<SpeedMatrix> cholesky_;
+  std::vector<Contact> found_;
+  std::vector<ContactForce> laws_;
+  std::vector<ResolvedContact> resolved_;
+  std::array<JointTorque, robot::kJointCount> servo_{};
+  robot::JointVector servo_torque_{};
+  SpeedVector acceleration_ = SpeedVector::Zero();
+};
+
+/// Moves positions and orientations along state.speed for dt_s.
+void integrate_position(MotionState& state, double dt_s);
+
+}  // namespace scarab::plant
