@@ -50,7 +50,7 @@ void enter(MachineState& machine, State state, std::uint32_t tick, const std::st
   machine.as_below = 0;
 }
 
-bool final(State state) { return state == State::kDone || state == State::kFailed; }
+bool is_final(State state) { return state == State::kDone || state == State::kFailed; }
 
 }  // namespace
 
@@ -91,7 +91,7 @@ Decision BehaviourMachine::step(MachineState& state, const Perception& perceptio
 
 void BehaviourMachine::advance(MachineState& state, const Perception& perception,
                                double as_rad) const {
-  if (final(state.state)) {
+  if (is_final(state.state)) {
     return;
   }
   const std::uint32_t tick = perception.tick;
