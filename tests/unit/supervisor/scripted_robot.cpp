@@ -1,0 +1,48 @@
+#include "tests/unit/supervisor/scripted_robot.hpp"
+
+#include "services/supervisor/config.hpp"
+
+namespace scarab::supervisor {
+
+SupervisorConfig f2_config() { return load_config(SCARAB_SOURCE_DIR "/config/supervisor/f2.yaml"); }
+
+ScriptedRobot::ScriptedRobot(const std::string& strategy, const SupervisorConfig& config)
+    : front_f_rad(config.as.reference_rad),
+      machine(config, find_strategy(config, strategy)),
+      state(machine.initial_state()) {}
+
+Decision ScriptedRobot::tick() {
+  Perception perception;
+  perception.tick = tick_++;
+  perception.phase = phase;
+  perception.pitch_rad = pitch_rad;
+  perception.front_f_rad = {front_f_rad, front_f_rad};
+  return machine.step(state, perception);
+}
+
+Decision ScriptedRobot::ticks(int count) {
+  Decision decision;
+  for (int i = 0; i < count; ++i) {
+    decision = tick();
+  }
+  return decision;
+}
+
+Decision ScriptedRobot::until(State wanted, int limit) {
+  Decision decision;
+  for (int i = 0; i < limit && (i == 0 || decision.state != wanted); ++i) {
+    decision = tick();
+  }
+  return decision;
+}
+
+ScriptedRobot on_the_object(const std::string& strategy, const SupervisorConfig& config) {
+  ScriptedRobot robot(strategy, config);
+  robot.pitch_rad = 0.18;
+  robot.until(State::kMode1);
+  return robot;
+}
+
+std::string reason(const Decision& decision) { return decision.reason.data(); }
+
+}  // namespace scarab::supervisor
