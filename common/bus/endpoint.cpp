@@ -62,7 +62,7 @@ void Endpoint::own(dds_entity_t entity) { entity_ = Entity(check(entity, name())
 
 WriterEndpoint::WriterEndpoint(Participant& participant, const char* topic,
                                const dds_topic_descriptor_t& descriptor, Profile profile)
-    : Endpoint(participant, "writer", topic, descriptor) {
+    : Endpoint(participant, "writer", topic, descriptor), check_(descriptor) {
   const Qos qos = writer_qos(profile);
   set_peer(*qos, participant.self());
   own(dds_create_writer(participant.handle(), topic_handle(), qos.get(), nullptr));
@@ -80,7 +80,13 @@ std::vector<std::string> WriterEndpoint::faults() const {
 }
 
 void WriterEndpoint::write_sample(const void* sample) {
-  const dds_return_t code = dds_write(handle(), sample);
+  try {
+    check_.check(sample);
+  } catch (const Error& error) {
+    throw Error(name() + ": " + error.what());
+  }
+  std::vector<std::byte> buffer;
+  const dds_return_t code = dds_write(handle(), check_.without_padding(sample, buffer));
   if (code == DDS_RETCODE_TIMEOUT) {
     std::string readers;
     for (const Peer& peer : matched()) readers += (readers.empty() ? "" : ", ") + to_string(peer);
@@ -94,10 +100,8 @@ void WriterEndpoint::dispose_sample(const void* sample) {
 }
 
 ReaderEndpoint::ReaderEndpoint(Participant& participant, const char* topic,
-                               const dds_topic_descriptor_t& descriptor, Profile profile,
-                               const ReaderOptions& options)
+                               const dds_topic_descriptor_t& descriptor, Qos qos)
     : Endpoint(participant, "reader", topic, descriptor) {
-  const Qos qos = reader_qos(profile, options);
   set_peer(*qos, participant.self());
   own(dds_create_reader(participant.handle(), topic_handle(), qos.get(), nullptr));
   condition_ = Entity(check(dds_create_readcondition(handle(), DDS_ANY_STATE), name()));
@@ -120,13 +124,19 @@ std::vector<std::string> ReaderEndpoint::faults() const {
   return out;
 }
 
-Loan::Loan(dds_entity_t reader, const std::string& topic) : reader_(reader) {
-  size_ = static_cast<std::size_t>(
-      check(dds_take(reader, samples_, infos_, kCapacity, kCapacity), "reader on " + topic));
+Loan::Loan(Access access, dds_entity_t from, const std::string& name) : from_(from) {
+  size_ =
+      static_cast<std::size_t>(check(access(from, samples_, infos_, kCapacity, kCapacity), name));
+}
+
+Loan Loan::take(dds_entity_t reader, const std::string& name) { return {dds_take, reader, name}; }
+
+Loan Loan::read(dds_entity_t condition, const std::string& name) {
+  return {dds_read, condition, name};
 }
 
 Loan::~Loan() {
-  if (size_ > 0) dds_return_loan(reader_, samples_, static_cast<std::int32_t>(size_));
+  if (size_ > 0) dds_return_loan(from_, samples_, static_cast<std::int32_t>(size_));
 }
 
 }  // namespace scarab::bus

@@ -6,6 +6,7 @@
 #include "common/bus/entity.hpp"
 #include "common/bus/participant.hpp"
 #include "common/bus/qos.hpp"
+#include "common/bus/sample_check.hpp"
 
 namespace scarab::bus {
 
@@ -47,14 +48,16 @@ class WriterEndpoint : public Endpoint {
  protected:
   void write_sample(const void* sample);
   void dispose_sample(const void* sample);
+
+ private:
+  SampleCheck check_;
 };
 
 /// The untyped part of Reader<T>.
 class ReaderEndpoint : public Endpoint {
  public:
   ReaderEndpoint(Participant& participant, const char* topic,
-                 const dds_topic_descriptor_t& descriptor, Profile profile,
-                 const ReaderOptions& options);
+                 const dds_topic_descriptor_t& descriptor, Qos qos);
 
   /// The writers that are matched at this moment, in a stable order.
   std::vector<Peer> matched() const;
@@ -74,8 +77,10 @@ class Loan {
  public:
   static constexpr std::size_t kCapacity = 64;
 
-  /// Takes from `reader`, a reader or a read condition.
-  Loan(dds_entity_t reader, const std::string& topic);
+  /// Takes from a reader; `name` begins the message of an Error.
+  static Loan take(dds_entity_t reader, const std::string& name);
+  /// Reads, and leaves with the reader, what matches a read condition.
+  static Loan read(dds_entity_t condition, const std::string& name);
   Loan(const Loan&) = delete;
   Loan& operator=(const Loan&) = delete;
   ~Loan();
@@ -85,7 +90,11 @@ class Loan {
   const dds_sample_info_t& info(std::size_t i) const { return infos_[i]; }
 
  private:
-  dds_entity_t reader_;
+  using Access = dds_return_t (*)(dds_entity_t, void**, dds_sample_info_t*, std::size_t,
+                                  std::uint32_t);
+  Loan(Access access, dds_entity_t from, const std::string& name);
+
+  dds_entity_t from_;
   std::size_t size_ = 0;
   void* samples_[kCapacity] = {};
   dds_sample_info_t infos_[kCapacity] = {};

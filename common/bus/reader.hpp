@@ -38,7 +38,8 @@ template <class T>
 class Reader : public ReaderEndpoint {
  public:
   Reader(Participant& participant, const Topic<T>& topic, const ReaderOptions& options = {})
-      : ReaderEndpoint(participant, topic.name, descriptor<T>(), topic.profile, options) {}
+      : ReaderEndpoint(participant, topic.name, descriptor<T>(),
+                       reader_qos(topic.profile, options)) {}
 
   /// Calls f(const T&) for each waiting sample, in the order of reception; returns how many. The
   /// sample is lent: it is valid only during the call.
@@ -59,7 +60,7 @@ class Reader : public ReaderEndpoint {
   std::size_t take_with_info(F&& f) {
     std::size_t count = 0;
     while (true) {
-      const Loan loan(handle(), topic());
+      const Loan loan = Loan::take(handle(), name());
       for (std::size_t i = 0; i < loan.size(); ++i) {
         f(*static_cast<const T*>(loan.sample(i)), sample_info(loan.info(i)));
       }

@@ -22,6 +22,10 @@ void WaitSet::attach(const ReaderEndpoint& reader) { attach_handle(reader.condit
 
 void WaitSet::attach(const Guard& guard) { attach_handle(guard.handle()); }
 
+void WaitSet::attach(const Discovery& discovery) {
+  for (const dds_entity_t condition : discovery.conditions()) attach_handle(condition);
+}
+
 bool WaitSet::wait(std::chrono::nanoseconds timeout) {
   const dds_duration_t ns = std::max<std::int64_t>(0, timeout.count());
   return check(dds_waitset_wait(waitset_.handle(), nullptr, 0, ns), "wait set") > 0;

@@ -2,6 +2,7 @@
 
 #include <chrono>
 
+#include "common/bus/discovery.hpp"
 #include "common/bus/endpoint.hpp"
 #include "common/bus/entity.hpp"
 #include "common/bus/participant.hpp"
@@ -21,13 +22,14 @@ class Guard {
   Entity guard_;
 };
 
-/// Sleeps until one of the attached readers has samples or one of the attached guards is triggered.
-/// What is attached may be destroyed before the WaitSet.
+/// Sleeps until one of the attached readers has samples or one of the attached guards is triggered,
+/// or an attached Discovery has news. What is attached may be destroyed before the WaitSet.
 class WaitSet {
  public:
   explicit WaitSet(Participant& participant);
   void attach(const ReaderEndpoint& reader);
   void attach(const Guard& guard);
+  void attach(const Discovery& discovery);
 
   /// True: something is ready (and stays so until the samples are taken or the guard is cleared).
   /// False: the timeout passed. A timeout <= 0 only looks.

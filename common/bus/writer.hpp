@@ -12,7 +12,9 @@ class Writer : public WriterEndpoint {
   Writer(Participant& participant, const Topic<T>& topic)
       : WriterEndpoint(participant, topic.name, descriptor<T>(), topic.profile) {}
 
-  /// Hands a sample to every matched reader. Throws Error when readers do not acknowledge for 1 s.
+  /// Hands a sample to every matched reader. Throws Error, before anything is sent, for a sample
+  /// that is none of the type (a value that its enum does not have, a bounded string without end, a
+  /// sequence beyond its bound), and when readers do not acknowledge for 1 s.
   void write(const T& sample) { write_sample(&sample); }
 
   /// Says that the instance with this sample's key is no more.

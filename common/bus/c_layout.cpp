@@ -1,0 +1,89 @@
+#include "common/bus/c_layout.hpp"
+
+#include <algorithm>
+#include <cstdint>
+
+namespace scarab::bus {
+
+namespace {
+
+/// What idlc declares for every sequence.
+struct Sequence {
+  std::uint32_t maximum;
+  std::uint32_t length;
+  void* buffer;
+  bool release;
+};
+
+enum class AnyEnum { kZero };
+
+template <class T>
+constexpr CLayout layout_of() {
+  return {sizeof(T), alignof(T)};
+}
+
+std::size_t align(std::size_t offset, std::size_t alignment) {
+  return (offset + alignment - 1) / alignment * alignment;
+}
+
+struct LayoutOf {
+  CLayout operator()(Primitive primitive) const {
+    switch (primitive) {
+      case Primitive::kBoolean:
+      case Primitive::kOctet:
+      case Primitive::kChar:
+        return layout_of<std::uint8_t>();
+      case Primitive::kInt16:
+      case Primitive::kUint16:
+        return layout_of<std::uint16_t>();
+      case Primitive::kInt32:
+      case Primitive::kUint32:
+        return layout_of<std::uint32_t>();
+      case Primitive::kInt64:
+      case Primitive::kUint64:
+        return layout_of<std::uint64_t>();
+      case Primitive::kFloat:
+        return layout_of<float>();
+      case Primitive::kDouble:
+        return layout_of<double>();
+    }
+    return {};
+  }
+  CLayout operator()(const StringType& type) const {
+    return type.bound == 0 ? layout_of<char*>() : CLayout{type.bound + std::size_t{1}, 1};
+  }
+  CLayout operator()(const EnumType&) const { return layout_of<AnyEnum>(); }
+  CLayout operator()(const SequenceType&) const { return layout_of<Sequence>(); }
+  CLayout operator()(const AliasType& type) const { return c_layout(*type.target); }
+  CLayout operator()(const ArrayType& type) const {
+    const CLayout element = c_layout(*type.element);
+    return {element.size * type.count(), element.alignment};
+  }
+  CLayout operator()(const StructType& type) const {
+    CLayout all;
+    for (const Member& member : type.members) {
+      const CLayout one = c_layout(*member.type);
+      all.size = align(all.size, one.alignment) + one.size;
+      all.alignment = std::max(all.alignment, one.alignment);
+    }
+    all.size = align(all.size, all.alignment);
+    return all;
+  }
+};
+
+}  // namespace
+
+CLayout c_layout(const Type& type) { return std::visit(LayoutOf{}, type.kind); }
+
+std::vector<std::size_t> member_offsets(const StructType& type) {
+  std::vector<std::size_t> offsets;
+  std::size_t at = 0;
+  for (const Member& member : type.members) {
+    const CLayout one = c_layout(*member.type);
+    offsets.push_back(align(at, one.alignment));
+    at = offsets.back() + one.size;
+  }
+  return offsets;
+}
+
+}  // namespace scarab::bus

@@ -1,0 +1,142 @@
+#include "common/bus/discovery.hpp"
+
+#include <algorithm>
+
+#include "common/bus/endpoint.hpp"
+#include "common/bus/known_types.hpp"
+
+namespace scarab::bus {
+
+namespace {
+
+dds_entity_t builtin_topic(EndpointKind kind) {
+  return kind == EndpointKind::kWriter ? DDS_BUILTIN_TOPIC_DCPSPUBLICATION
+                                       : DDS_BUILTIN_TOPIC_DCPSSUBSCRIPTION;
+}
+
+Guid guid_of(const dds_guid_t& from) {
+  Guid out{};
+  std::copy_n(from.v, out.size(), out.begin());
+  return out;
+}
+
+DiscoveredEndpoint discovered(EndpointKind kind, const dds_builtintopic_endpoint_t& from,
+                              dds_instance_handle_t handle) {
+  Qos qos(dds_create_qos());
+  dds_copy_qos(qos.get(), from.qos);
+  return {kind,
+          guid_of(from.key),
+          guid_of(from.participant_key),
+          from.topic_name,
+          from.type_name,
+          get_peer(from.qos),
+          std::shared_ptr<const dds_qos_t>(std::move(qos)),
+          handle};
+}
+
+/// One announcement, read again and lent by Cyclone for as long as this lives.
+class Announcement {
+ public:
+  Announcement(dds_entity_t reader, dds_instance_handle_t handle) : reader_(reader) {
+    count_ = dds_read_instance(reader, &sample_, &info_, 1, 1, handle);
+  }
+  Announcement(const Announcement&) = delete;
+  Announcement& operator=(const Announcement&) = delete;
+  ~Announcement() {
+    if (count_ > 0) dds_return_loan(reader_, &sample_, count_);
+  }
+
+  /// Null: the endpoint has gone, or sends no type information.
+  const dds_typeinfo_t* type_information() const {
+    const dds_typeinfo_t* information = nullptr;
+    if (count_ <= 0 || !info_.valid_data) return nullptr;
+    auto* endpoint = static_cast<dds_builtintopic_endpoint_t*>(sample_);
+    const dds_return_t code = dds_builtintopic_get_endpoint_type_info(endpoint, &information);
+    return code == DDS_RETCODE_OK ? information : nullptr;
+  }
+
+ private:
+  dds_entity_t reader_;
+  void* sample_ = nullptr;
+  dds_sample_info_t info_{};
+  int count_ = 0;
+};
+
+}  // namespace
+
+Discovery::Source::Source(Participant& participant, EndpointKind of)
+    : kind(of),
+      reader(check(dds_create_reader(participant.handle(), builtin_topic(of), nullptr, nullptr),
+                   "discovery")),
+      condition(check(
+          dds_create_readcondition(reader.handle(), DDS_NOT_READ_SAMPLE_STATE | DDS_ANY_VIEW_STATE |
+                                                        DDS_ANY_INSTANCE_STATE),
+          "discovery")) {}
+
+Discovery::Discovery(Participant& participant)
+    : participant_(participant),
+      writers_(participant, EndpointKind::kWriter),
+      readers_(participant, EndpointKind::kReader) {}
+
+std::vector<DiscoveredEndpoint> Discovery::update() {
+  std::vector<DiscoveredEndpoint> fresh;
+  take(writers_, fresh);
+  take(readers_, fresh);
+  return fresh;
+}
+
+void Discovery::take(const Source& source, std::vector<DiscoveredEndpoint>& fresh) {
+  // Read, not taken: type_of() reads the announcements again.
+  while (true) {
+    const Loan loan = Loan::read(source.condition.handle(), "discovery");
+    for (std::size_t i = 0; i < loan.size(); ++i) {
+      const auto& endpoint = *static_cast<const dds_builtintopic_endpoint_t*>(loan.sample(i));
+      const dds_sample_info_t& info = loan.info(i);
+      if (info.instance_state != DDS_ALIVE_INSTANCE_STATE) {
+        endpoints_.erase(guid_of(endpoint.key));
+      } else if (info.valid_data) {
+        auto found = discovered(source.kind, endpoint, info.instance_handle);
+        const bool is_new = endpoints_.insert_or_assign(found.guid, found).second;
+        if (is_new) fresh.push_back(std::move(found));
+      }
+    }
+    if (loan.size() < Loan::kCapacity) return;
+  }
+}
+
+std::vector<DiscoveredEndpoint> Discovery::endpoints() const {
+  std::vector<DiscoveredEndpoint> out;
+  for (const auto& [guid, endpoint] : endpoints_) out.push_back(endpoint);
+  std::stable_sort(out.begin(), out.end(), [](const auto& a, const auto& b) {
+    return a.topic != b.topic ? a.topic < b.topic : a.peer < b.peer;
+  });
+  return out;
+}
+
+TopicType Discovery::type_of(const DiscoveredEndpoint& endpoint, std::chrono::nanoseconds timeout) {
+  const Source& source = endpoint.kind == EndpointKind::kWriter ? writers_ : readers_;
+  const Announcement announcement(source.reader.handle(), endpoint.handle);
+  const dds_typeinfo_t* information = announcement.type_information();
+  if (information != nullptr) {
+    dds_topic_descriptor_t* descriptor = nullptr;
+    const dds_return_t code = dds_create_topic_descriptor(
+        DDS_FIND_SCOPE_GLOBAL, participant_.handle(), information, timeout.count(), &descriptor);
+    if (code == DDS_RETCODE_OK) {
+      return {descriptor, [](const dds_topic_descriptor_t* made) {
+                dds_delete_topic_descriptor(const_cast<dds_topic_descriptor_t*>(made));
+              }};
+    }
+  }
+  const dds_topic_descriptor_t* known = find_known_type(endpoint.type);
+  if (known != nullptr) return {known, [](const dds_topic_descriptor_t*) {}};
+  throw Error("type " + endpoint.type + " of " + endpoint.topic + ": " +
+              (information == nullptr
+                   ? "its writer sends no type information, and it is none of Scarab's own"
+                   : "its writer's process did not tell"));
+}
+
+std::array<dds_entity_t, 2> Discovery::conditions() const {
+  return {writers_.condition.handle(), readers_.condition.handle()};
+}
+
+}  // namespace scarab::bus
