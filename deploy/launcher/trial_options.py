@@ -1,7 +1,7 @@
 """The options of a trial, checked before anything is started and handed on to the experiment."""
 
 import argparse
-import math
+import re
 from pathlib import Path
 from typing import Callable, List, Optional
 
@@ -9,17 +9,16 @@ from .failure import UsageError
 from .stack import Stack
 from .strict_yaml import did_you_mean, read_yaml
 
+_NUMBER = re.compile(r"([0-9]+\.?[0-9]*|\.[0-9]+)([eE][+-]?[0-9]+)?")
 GOALS = ("across", "travel", "none")
 
 
 def bounded_number(low: float, high: float) -> Callable[[str], str]:
-    """An argparse type: a finite number in [low, high], kept as the text that was given."""
+    """An argparse type: a number in [low, high], kept as the text that was given."""
     def parse(text: str) -> str:
-        try:
-            value = float(text)
-        except ValueError:
-            raise argparse.ArgumentTypeError(f"'{text}' is not a number") from None
-        if not math.isfinite(value) or not low <= value <= high:
+        if not _NUMBER.fullmatch(text):
+            raise argparse.ArgumentTypeError(f"'{text}' is not a number")
+        if not low <= float(text) <= high:
             raise argparse.ArgumentTypeError(f"{text} is out of range [{low:g}, {high:g}]")
         return text
     return parse

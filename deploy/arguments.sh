@@ -1,0 +1,103 @@
+# shellcheck shell=bash
+# Checks the options of deploy/demo before anything is installed: with nothing but bash and awk, as on a
+# bare Debian. deploy/launcher/trial_options.py knows the same options; a test holds the two together.
+
+usage_error() {
+  printf '%s: %s (see --help)\n' "${0##*/}" "$*" >&2
+  exit 2
+}
+
+# kind_of OPTION: the values it takes; nothing for an unknown option.
+kind_of() {
+  case $1 in
+    --height) echo "number 0 0.5" ;;
+    --distance) echo "number 0.01 10" ;;
+    --time-limit) echo "number 0.1 36000" ;;
+    --seed) echo "integer 0 18446744073709551615" ;;
+    --trials) echo "integer 1 100000" ;;
+    --domain) echo "integer 0 230" ;;
+    --goal) echo "word across travel none" ;;
+    --strategy) echo "word $(strategies | tr '\n' ' ')" ;;
+    --tag) echo "text" ;;
+    --no-perturbation | --keep) echo "flag" ;;
+  esac
+}
+
+# strategies: names in the supervisor's configuration.
+strategies() {
+  awk '/^[^ #]/ { inside = /^strategies:/ }
+       inside && /^  [^ #]/ { sub(/:.*/, ""); print $1 }' \
+    "$scarab_root/config/supervisor/f2.yaml"
+}
+
+# check_arguments ARGUMENT...: exits with 2 at the first mistake.
+check_arguments() {
+  local option value kind height="" goal=""
+  while [ $# -gt 0 ]; do
+    option=${1%%=*}
+    kind=$(kind_of "$option")
+    [ -n "$kind" ] || usage_error "unknown option '$1'"
+    if [ "$kind" = flag ]; then
+      [ "$1" = "$option" ] || usage_error "$option takes no value"
+      shift
+      continue
+    fi
+    if [ "$1" = "$option" ]; then
+      [ $# -ge 2 ] || usage_error "$option needs a value"
+      value=$2
+      shift 2
+    else
+      value=${1#*=}
+      shift
+    fi
+    # shellcheck disable=SC2086  # kind and bounds are words
+    check_value "$option" "$value" $kind
+    [ "$option" = --height ] && height=$value
+    [ "$option" = --goal ] && goal=$value
+  done
+  if [ "$goal" = across ] && [ -n "$height" ] && ! is_above "$height"; then
+    usage_error "--goal across needs an obstacle: --height greater than 0"
+  fi
+}
+
+# check_value OPTION VALUE KIND BOUND...
+check_value() {
+  local option=$1 value=$2 kind=$3
+  shift 3
+  case $kind in
+    word)
+      is_one_of "$value" "$@" || usage_error "$option: unknown value '$value'; one of: $*" ;;
+    integer)
+      [[ $value =~ ^[0-9]+$ ]] || usage_error "$option: '$value' is not a whole number"
+      in_integer_range "$value" "$1" "$2" || usage_error "$option: $value is out of range [$1, $2]" ;;
+    number)
+      [[ $value =~ ^([0-9]+\.?[0-9]*|\.[0-9]+)([eE][+-]?[0-9]+)?$ ]] ||
+        usage_error "$option: '$value' is not a number"
+      awk -v x="$value" -v low="$1" -v high="$2" 'BEGIN { exit !(x + 0 >= low + 0 && x + 0 <= high + 0) }' ||
+        usage_error "$option: $value is out of range [$1, $2]" ;;
+  esac
+}
+
+is_one_of() {
+  local value=$1 known
+  shift
+  for known in "$@"; do
+    [ "$value" = "$known" ] && return
+  done
+  return 1
+}
+
+is_above() {
+  awk -v x="$1" 'BEGIN { exit !(x + 0 > 0) }'
+}
+
+# in_integer_range N LOW HIGH: compared as digits, since a seed has 64 bits.
+in_integer_range() {
+  local number
+  number=$(printf '%s' "$1" | sed 's/^0*\(.\)/\1/')
+  not_above "$2" "$number" && not_above "$number" "$3"
+}
+
+not_above() {
+  [ ${#1} -lt ${#2} ] || { [ ${#1} -eq ${#2} ] && [[ ! $1 > $2 ]]; }
+}

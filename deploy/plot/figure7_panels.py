@@ -1,0 +1,124 @@
+"""The panels of Fig. 7, from a SignalTable."""
+
+import math
+from dataclasses import dataclass
+from pathlib import Path
+from typing import List
+
+import matplotlib
+
+matplotlib.use("Agg")
+import matplotlib.pyplot as plt  # noqa: E402
+from matplotlib.axes import Axes  # noqa: E402
+
+from signal_table import JOINT_SLOTS, SignalTable  # noqa: E402
+
+# Tints of the Okabe-Ito palette: apart for colour-blind readers, and each lighter or darker than its
+# neighbours when printed in grey.
+_TINTS = {"APPROACH": "#f4f4f4", "CLIMB": "#cfe3f3", "MODE_1": "#fdeecb", "MODE_2": "#c4e0d5",
+          "DONE": "#ffffff", "FAILED": "#f3d3c4", "SAFE_STOP": "#f3d3c4", "IDLE": "#ffffff"}
+_LINE, _THRESHOLD, _EDGE = "#0b3c5d", "#b3401a", "#8a8a8a"
+_SHORT_SPAN_SHARE = 0.07  # of the time axis: a narrower span has its label upright
+_STYLE = {"font.size": 8.5, "font.family": "DejaVu Sans", "axes.linewidth": 0.6,
+          "axes.spines.top": False, "axes.spines.right": False, "svg.hashsalt": "scarab-figure7",
+          "svg.fonttype": "path", "xtick.major.width": 0.6, "ytick.major.width": 0.6}
+
+
+@dataclass(frozen=True)
+class Span:
+    """A stretch of one behaviour."""
+
+    start_s: float
+    end_s: float
+    state: str
+    mode: str
+
+    def label(self) -> str:
+        pattern = self.mode.replace("_", " ").lower()
+        if self.state in ("MODE_1", "MODE_2"):
+            return f"{self.state.replace('_', ' ').lower()}\n{pattern}"
+        if self.state in ("APPROACH", "CLIMB"):
+            return f"{self.state.lower()}\n{pattern}"
+        return self.state.replace("_", " ").lower()
+
+
+def spans(table: SignalTable) -> List[Span]:
+    """The behaviours in the order of their time; each lasts until the next one starts."""
+    found: List[Span] = []
+    start = 0
+    count = len(table.time_s)
+    for i in range(1, count + 1):
+        if i < count and table.state[i] == table.state[start]:
+            continue
+        end_s = table.time_s[min(i, count - 1)]
+        # The pattern of its last tick: a behaviour may still be entered with the one before.
+        found.append(Span(table.time_s[start], end_s, table.state[start], table.mode[i - 1]))
+        start = i
+    return found
+
+
+def draw(table: SignalTable, prefix: Path) -> None:
+    """Writes <prefix>.svg and <prefix>.png; equal tables give equal files."""
+    with plt.rc_context(_STYLE):
+        names = ["BS", "AS", *JOINT_SLOTS]
+        figure, axes = plt.subplots(
+            len(names), 1, sharex=True, figsize=(7.6, 8.6),
+            gridspec_kw={"height_ratios": [1.5, 1.5] + [1.0] * len(JOINT_SLOTS), "hspace": 0.22})
+        behaviours = spans(table)
+        for axis in axes:
+            _shade(axis, behaviours)
+        _draw_trigger(axes[0], table, "bs", "BS", "body inclination")
+        _draw_trigger(axes[1], table, "as", "AS", "mean angle of the front F-joints")
+        for axis, joint in zip(axes[2:], JOINT_SLOTS):
+            _draw_angle(axis, table, joint)
+        _label_spans(axes[0], behaviours)
+        axes[-1].set_xlabel("simulated time [s]")
+        axes[-1].set_xlim(table.time_s[0], max(table.time_s[-1], table.time_s[0] + 0.1))
+        figure.align_ylabels(axes)
+        figure.subplots_adjust(left=0.11, right=0.98, top=0.93, bottom=0.06)
+        figure.savefig(prefix.with_suffix(".svg"), metadata={"Date": None})
+        figure.savefig(prefix.with_suffix(".png"), dpi=160, metadata={"Software": None})
+        plt.close(figure)
+
+
+def _draw_trigger(axis: Axes, table: SignalTable, signal: str, name: str, meaning: str) -> None:
+    angle = _degrees(table.signals[f"{signal}_rad"])
+    threshold = _degrees(table.signals[f"{signal}_threshold_rad"])
+    axis.plot(table.time_s, angle, color=_LINE, linewidth=1.4, label=f"{name}: {meaning}")
+    axis.plot(table.time_s, threshold, color=_THRESHOLD, linewidth=1.0, linestyle=(0, (5, 3)),
+              label="threshold")
+    axis.set_ylabel(f"{name} [deg]")
+    axis.margins(y=0.12)
+    axis.legend(loc="best", ncol=2, fontsize=7.5, framealpha=0.8, edgecolor="none", borderpad=0.3)
+
+
+def _draw_angle(axis: Axes, table: SignalTable, joint: str) -> None:
+    axis.plot(table.time_s, _degrees(table.signals[f"{joint}_rad"]), color=_LINE, linewidth=1.0)
+    axis.set_ylabel(f"{joint} [deg]")
+    axis.yaxis.set_major_locator(plt.MaxNLocator(3))
+    axis.margins(y=0.15)
+
+
+def _shade(axis: Axes, behaviours: List[Span]) -> None:
+    for span in behaviours:
+        axis.axvspan(span.start_s, span.end_s, color=_TINTS.get(span.state, "#ffffff"),
+                     linewidth=0, zorder=-2)
+        if span is not behaviours[0]:
+            axis.axvline(span.start_s, color=_EDGE, linewidth=0.6, zorder=-1)
+
+
+def _label_spans(axis: Axes, behaviours: List[Span]) -> None:
+    whole_s = behaviours[-1].end_s - behaviours[0].start_s
+    for span in behaviours:
+        share = (span.end_s - span.start_s) / whole_s if whole_s else 0.0
+        if share == 0.0:
+            continue  # the last tick alone
+        narrow = share < _SHORT_SPAN_SHARE
+        text = span.state.replace("_", " ").lower() if narrow else span.label()
+        axis.annotate(text, ((span.start_s + span.end_s) / 2, 1), xytext=(0, 4), ha="center",
+                      xycoords=("data", "axes fraction"), textcoords="offset points", va="bottom",
+                      fontsize=8, rotation=90 if narrow else 0)
+
+
+def _degrees(radians: List[float]) -> List[float]:
+    return [math.degrees(angle) for angle in radians]
