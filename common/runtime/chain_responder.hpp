@@ -1,0 +1,199 @@
+#pragma once
+
+#include <algorithm>
+#include <chrono>
+#include <deque>
+#include <optional>
+#include <string>
+
+#include "common/bus/reader.hpp"
+#include "common/bus/topics.hpp"
+#include "common/bus/waitset.hpp"
+#include "common/runtime/options.hpp"
+#include "common/runtime/peers.hpp"
+#include "common/runtime/shutdown.hpp"
+#include "common/runtime/state_file.hpp"
+#include "common/runtime/status_publisher.hpp"
+
+namespace scarab::runtime {
+
+/// A stateful service of the reactive chain (design: "Time: one reactive chain"): it answers
+/// question k of the running trial from its state k-1 alone, and keeps state k on disk before
+/// answer k goes out. So it can be killed and restarted at any moment: it gives the same answer if
+/// it had answered already, the next one if not.
+///
+/// Link supplies:
+///   using Question = ...;                                        // IDL type with a Header
+///   using State = ...;                                           // trivially copyable
+///   static constexpr std::uint32_t kStateLayout;                 // changes when State does
+///   void begin(const scarab_Trial&, State&);                     // state at tick -1; throws
+///   std::exception on a bad trial void advance(State&, const Question&);                       //
+///   state k-1 -> state k void answer(const State&, const Question&);                  // publishes
+///   the answer of state k bool ends(const Question&);                                  // this
+///   question is the trial's last std::optional<RecordKey> adopt(std::uint32_t trial, State&); // a
+///   living replica's state, if there is one
+template <class Link>
+class ChainResponder {
+ public:
+  using Question = typename Link::Question;
+  using State = typename Link::State;
+
+  ChainResponder(bus::Participant& participant, const ServiceOptions& options,
+                 const bus::Peer& self, const bus::Topic<Question>& question, Link& link,
+                 PeerCheck& peers)
+      : link_(link),
+        peers_(peers),
+        guard_(participant),
+        wait_set_(participant),
+        trials_(participant, bus::kTrial),
+        questions_(participant, question),
+        status_(participant, self),
+        shutdown_(guard_) {
+    if (!options.run_dir.empty()) {
+      const auto name = self.service + "-" + std::to_string(self.instance) + ".state";
+      std::filesystem::create_directories(options.run_dir / "state");
+      file_.emplace(options.run_dir / "state" / name, Link::kStateLayout);
+    }
+    wait_set_.attach(trials_);
+    wait_set_.attach(questions_);
+    wait_set_.attach(guard_);
+    status_.set_lifecycle(scarab_LIFECYCLE_INACTIVE);
+  }
+
+  [[nodiscard]] bus::Reader<Question>& questions() { return questions_; }
+
+  /// Serves until SIGINT or SIGTERM.
+  void run() {
+    status_.publish_if_due();
+    while (!shutdown_.requested()) {
+      // While peers are missing their arrival is looked for every few milliseconds; else only
+      // samples wake us.
+      wait_set_.wait(waiting_for_peers() ? kPeerPoll : kIdlePoll);
+      take_trials();
+      take_questions();
+      if (waiting_for_peers()) check_peers();
+      if (ready_) answer_held();
+      status_.publish_if_due();
+    }
+    status_.set_lifecycle(scarab_LIFECYCLE_FINALISED);
+    status_.publish_if_due();
+  }
+
+ private:
+  static constexpr std::chrono::milliseconds kPeerPoll{5};
+  static constexpr std::chrono::milliseconds kIdlePoll{200};
+  static constexpr std::chrono::seconds kPatience{1};
+  static constexpr std::size_t kHeldMost = 128;
+
+  [[nodiscard]] bool waiting_for_peers() const { return trial_ != 0 && !ready_; }
+
+  void take_trials() {
+    trials_.take([this](const scarab_Trial& trial) {
+      if (trial.header.trial > trial_) begin(trial);
+    });
+  }
+
+  void begin(const scarab_Trial& trial) {
+    trial_ = trial.header.trial;
+    ready_ = false;
+    waiting_since_ = std::chrono::steady_clock::now();
+    tick_ = -1;
+    status_.set_lifecycle(scarab_LIFECYCLE_INACTIVE);
+    try {
+      link_.begin(trial, state_);
+    } catch (const std::exception& error) {
+      refused_ = true;
+      status_.set_health(scarab_HEALTH_FAULT,
+                         "trial " + std::to_string(trial_) + ": " + error.what());
+      return;
+    }
+    refused_ = false;
+    State kept;
+    const auto key = file_ ? file_->read(kept) : std::nullopt;
+    if (key && key->trial == trial_) {
+      state_ = kept;
+      tick_ = key->tick;
+    }
+    status_.set_health(scarab_HEALTH_OK);
+  }
+
+  void take_questions() {
+    questions_.take([this](const Question& question) {
+      if (question.header.trial < trial_) return;
+      held_.push_back(question);
+      if (held_.size() > kHeldMost) held_.pop_front();
+    });
+  }
+
+  void check_peers() {
+    if (refused_) return;
+    const auto unmet = peers_.unmet();
+    if (unmet.empty()) {
+      ready_ = true;
+      status_.set_health(scarab_HEALTH_OK);
+      status_.set_lifecycle(scarab_LIFECYCLE_ACTIVE);
+      status_.set_ready(trial_);
+    } else if (std::chrono::steady_clock::now() - waiting_since_ > kPatience) {
+      status_.set_health(scarab_HEALTH_WAITING, "waits for " + join(unmet));
+    }
+  }
+
+  void answer_held() {
+    while (!held_.empty() && held_.front().header.trial <= trial_) {
+      if (held_.front().header.trial == trial_) answer(held_.front());
+      held_.pop_front();
+    }
+  }
+
+  void answer(const Question& question) {
+    const auto tick = static_cast<std::int64_t>(question.header.tick);
+    if (tick > tick_ + 1) adopt_replica();
+    if (tick > tick_ + 1 || tick < tick_) {
+      if (tick > tick_) report_gap(tick);
+      return;
+    }
+    if (tick == tick_ + 1) {
+      link_.advance(state_, question);
+      tick_ = tick;
+      if (file_) file_->write({trial_, tick_}, state_);
+    }
+    link_.answer(state_, question);
+    status_.set_progress(question.header);
+    if (link_.ends(question)) status_.set_lifecycle(scarab_LIFECYCLE_INACTIVE);
+  }
+
+  void adopt_replica() {
+    State living;
+    const auto key = link_.adopt(trial_, living);
+    if (!key || key->tick <= tick_) return;
+    state_ = living;
+    tick_ = key->tick;
+    status_.set_health(scarab_HEALTH_OK,
+                       "took over the state of a living replica at tick " + std::to_string(tick_));
+  }
+
+  void report_gap(std::int64_t tick) {
+    status_.set_health(scarab_HEALTH_FAULT, "cannot answer tick " + std::to_string(tick) +
+                                                ": last state is of tick " + std::to_string(tick_));
+  }
+
+  Link& link_;
+  PeerCheck& peers_;
+  bus::Guard guard_;
+  bus::WaitSet wait_set_;
+  bus::Reader<scarab_Trial> trials_;
+  bus::Reader<Question> questions_;
+  StatusPublisher status_;
+  std::optional<TypedStateFile<State>> file_;
+  Shutdown shutdown_;
+
+  std::uint32_t trial_ = 0;
+  std::int64_t tick_ = -1;  // last tick answered
+  bool ready_ = false;
+  bool refused_ = false;
+  std::chrono::steady_clock::time_point waiting_since_{};
+  State state_{};
+  std::deque<Question> held_;
+};
+
+}  // namespace scarab::runtime

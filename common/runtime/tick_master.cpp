@@ -1,0 +1,277 @@
+#include "common/runtime/tick_master.hpp"
+
+#include <spdlog/spdlog.h>
+
+#include <algorithm>
+
+#include "common/bus/clock.hpp"
+
+namespace scarab::runtime {
+namespace {
+
+using Clock = std::chrono::steady_clock;
+
+constexpr std::chrono::milliseconds kPoll{5};  // while peers or the logger are waited for
+constexpr std::chrono::milliseconds kIdlePoll{200};
+constexpr unsigned kHistoryDepth = 64;  // of every profile; what a reader can hold unread
+
+safety::Offer offer_of(const scarab_JointCommand& command) {
+  safety::Offer offer;
+  offer.trial = command.header.trial;
+  offer.tick = command.header.tick;
+  offer.stop = command.kind == scarab_COMMAND_STOP;
+  std::copy(std::begin(command.position_rad), std::end(command.position_rad),
+            offer.position_rad.begin());
+  return offer;
+}
+
+Expectation without(Expectation expect, const std::string& service) {
+  expect.erase(service);
+  return expect;
+}
+
+}  // namespace
+
+TickMaster::TickMaster(bus::Participant& participant, const ServiceOptions& service,
+                       const bus::Peer& self, const TickMasterOptions& options, TickBody& body,
+                       safety::CommandGate& gate)
+    : options_(options),
+      body_(body),
+      gate_(gate),
+      expect_(without(service.expect, self.service)),
+      peers_(expect_),
+      guard_(participant),
+      wait_set_(participant),
+      trials_(participant, bus::kTrial),
+      commands_(participant, bus::kJointCommand),
+      behaviours_(participant, bus::kBehaviour),
+      board_(participant),
+      desk_(participant),
+      states_(participant, bus::kRobotState),
+      sensors_(participant, bus::kRobotSensors),
+      status_(participant, self),
+      shutdown_(guard_) {
+  wait_set_.attach(trials_);
+  wait_set_.attach(commands_);
+  wait_set_.attach(board_.reader());
+  wait_set_.attach(desk_.reader());
+  wait_set_.attach(guard_);
+  peers_.need(states_, "supervisor");
+  peers_.need(states_, "logger");
+  peers_.need(sensors_, "logger");
+  peers_.need(commands_, "premotor");
+  body_.add_needs(peers_);
+  status_.set_lifecycle(scarab_LIFECYCLE_INACTIVE);
+}
+
+void TickMaster::run() {
+  status_.publish_if_due();
+  while (!shutdown_.requested()) {
+    try {
+      if (!pending_) wait(kIdlePoll);
+      if (pending_) run_trial();
+    } catch (const Interrupted&) {
+      spdlog::info("trial {} left at tick {}", trial_, tick_);
+    }
+  }
+  status_.set_lifecycle(scarab_LIFECYCLE_FINALISED);
+  status_.publish_if_due();
+}
+
+void TickMaster::run_trial() {
+  const scarab_Trial trial = *pending_;
+  pending_.reset();
+  trial_ = trial.header.trial;
+  tick_ = 0;
+  behaviour_tick_ = -1;
+  try {
+    body_.begin(trial);
+  } catch (const std::exception& error) {
+    status_.set_health(scarab_HEALTH_FAULT,
+                       "trial " + std::to_string(trial_) + ": " + error.what());
+    status_.publish_if_due();
+    return;
+  }
+  gate_.begin_trial(trial_, body_.held_rad());
+  desk_.begin_trial();
+  await_start();
+  tick_due_ = Clock::now();
+  while (run_tick()) ++tick_;
+  finish();
+}
+
+void TickMaster::await_start() {
+  status_.set_health(scarab_HEALTH_OK);
+  status_.set_ready(trial_);
+  const auto since = Clock::now();
+  for (;;) {
+    auto unmet = peers_.unmet();
+    for (const auto& name : board_.missing(expect_, trial_)) unmet.push_back(name + " to be ready");
+    if (unmet.empty()) break;
+    if (Clock::now() - since > options_.report_silence) {
+      status_.set_health(scarab_HEALTH_WAITING, "waits for " + join(unmet));
+    }
+    wait(kPoll);
+  }
+  status_.set_health(scarab_HEALTH_OK);
+  status_.set_lifecycle(scarab_LIFECYCLE_ACTIVE);
+  spdlog::info("trial {} starts", trial_);
+}
+
+/// One tick of the chain; false after the trial's last.
+bool TickMaster::run_tick() {
+  hold_if_paused();
+  gate_.expect(tick_);
+  answered_ = false;
+  const bool last = body_.verdict().has_value();
+  publish_state(false);
+  if (options_.pace == Pace::kLockstep || last) {
+    await_command();
+  } else {
+    await_wall_clock();
+  }
+  if (last || (!answered_ && options_.pace == Pace::kLockstep)) return false;
+  await_logger();
+  body_.advance(gate_.target_rad(), [this] { publish_state(true); });
+  desk_.tick_started();
+  return true;
+}
+
+void TickMaster::hold_if_paused() {
+  if (!desk_.paused()) return;
+  status_.set_health(scarab_HEALTH_WAITING, "paused by the operator");
+  while (desk_.paused() && !body_.verdict()) wait(kIdlePoll);
+  status_.set_health(scarab_HEALTH_OK);
+  tick_due_ = Clock::now();
+}
+
+void TickMaster::publish_state(bool between_ticks) {
+  scarab_RobotState state{};
+  state.header = header();
+  state.phase = phase();
+  body_.observe(state);
+  (between_ticks ? sensors_ : states_).write(state);
+  body_.publish_own(state.header);
+  if (!between_ticks) {
+    status_.set_progress(state.header);
+    report_gate();
+  }
+}
+
+/// Lockstep: until the command is there; silence is reported, then ends the trial.
+void TickMaster::await_command() {
+  const auto since = Clock::now();
+  while (!answered_) {
+    wait(options_.report_silence);
+    const auto silent = Clock::now() - since;
+    if (answered_ || silent < options_.report_silence) continue;
+    const std::string what = who_is_silent() + " has not answered tick " + std::to_string(tick_);
+    status_.set_health(scarab_HEALTH_WAITING, what);
+    if (silent >= options_.give_up) {
+      const std::string reason = what + " for " + std::to_string(options_.give_up.count()) + " s";
+      if (!body_.verdict()) body_.end({false, reason});
+      body_.publish_own(header());
+      status_.set_health(scarab_HEALTH_FAULT, reason);
+      return;
+    }
+  }
+  if (status_.health() == scarab_HEALTH_WAITING) status_.set_health(scarab_HEALTH_OK);
+}
+
+/// Real time: until the tick is over, whatever comes; the gate's safe stop takes over from too many
+/// stale commands.
+void TickMaster::await_wall_clock() {
+  tick_due_ += options_.tick_period;
+  for (auto left = tick_due_ - Clock::now(); left.count() > 0; left = tick_due_ - Clock::now()) {
+    wait(left);
+  }
+}
+
+/// Keeps the lead over an expected logger small enough that nothing it has not taken yet is
+/// overwritten.
+void TickMaster::await_logger() {
+  if (options_.pace != Pace::kLockstep || expect_.count("logger") == 0) return;
+  const std::uint32_t lead = std::max(1U, kHistoryDepth / options_.samples_per_tick - 2);
+  const auto since = Clock::now();
+  const auto behind = [&] {
+    const auto* logger = board_.find({"logger", 0});
+    return tick_ >= lead &&
+           (!logger || logger->recorded_trial != trial_ || logger->recorded_tick + lead < tick_);
+  };
+  while (behind()) {
+    wait(kPoll);
+    const auto silent = Clock::now() - since;
+    if (silent < options_.report_silence) continue;
+    const std::string what = "logger/0 has not recorded tick " + std::to_string(tick_ - lead);
+    status_.set_health(scarab_HEALTH_WAITING, what);
+    if (silent < options_.give_up) continue;
+    body_.end({false, what + " for " + std::to_string(options_.give_up.count()) + " s"});
+    return;
+  }
+  if (status_.health() == scarab_HEALTH_WAITING) status_.set_health(scarab_HEALTH_OK);
+}
+
+void TickMaster::wait(std::chrono::nanoseconds timeout) {
+  status_.publish_if_due();
+  wait_set_.wait(timeout);
+  if (shutdown_.requested()) throw Interrupted{};
+  take_trials();
+  board_.update();
+  take_operator();
+  take_commands();
+}
+
+void TickMaster::take_trials() {
+  const auto newest = pending_ ? pending_->header.trial : trial_;
+  trials_.take([&](const scarab_Trial& trial) {
+    if (trial.header.trial > newest) pending_ = trial;
+  });
+  const bool in_trial = status_.lifecycle() == scarab_LIFECYCLE_ACTIVE;
+  if (pending_ && in_trial) throw Interrupted{};
+}
+
+void TickMaster::take_operator() {
+  const auto requests = desk_.update();
+  if (requests.stop && !body_.verdict()) body_.end({false, *requests.stop});
+  if (requests.emergency_stop) gate_.emergency_stop(*requests.emergency_stop);
+  if (requests.reset) gate_.reset();
+}
+
+void TickMaster::take_commands() {
+  behaviours_.take([this](const scarab_Behaviour& behaviour) {
+    if (behaviour.header.trial == trial_) behaviour_tick_ = behaviour.header.tick;
+  });
+  commands_.take([this](const scarab_JointCommand& command) {
+    const auto verdict = gate_.offer(offer_of(command));
+    answered_ = answered_ || verdict.answers;
+    if (!verdict.fault.empty()) status_.set_health(scarab_HEALTH_DEGRADED, verdict.fault);
+  });
+}
+
+void TickMaster::finish() {
+  const auto end = body_.verdict();
+  spdlog::info("trial {} ends at tick {}: {}: {}", trial_, tick_,
+               end && end->success ? "success" : "failure", end ? end->reason : "");
+  gate_.end_trial();
+  status_.set_lifecycle(scarab_LIFECYCLE_INACTIVE);
+  status_.publish_if_due();
+}
+
+scarab_Header TickMaster::header() const { return {trial_, tick_, body_.time_ns(), bus::now_ns()}; }
+
+scarab_TrialPhase TickMaster::phase() const {
+  if (const auto end = body_.verdict()) {
+    return end->success ? scarab_PHASE_SUCCEEDED : scarab_PHASE_FAILED;
+  }
+  return gate_.in_safe_stop() ? scarab_PHASE_SAFE_STOP : scarab_PHASE_RUNNING;
+}
+
+std::string TickMaster::who_is_silent() const {
+  return behaviour_tick_ >= static_cast<std::int64_t>(tick_) ? "premotor" : "supervisor";
+}
+
+void TickMaster::report_gate() {
+  for (const auto& [name, value] : gate_.counters().named()) status_.set_counter(name, value);
+}
+
+}  // namespace scarab::runtime

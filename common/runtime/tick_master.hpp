@@ -1,0 +1,95 @@
+#pragma once
+
+#include <chrono>
+#include <cstdint>
+#include <optional>
+#include <string>
+
+#include "common/bus/reader.hpp"
+#include "common/bus/topics.hpp"
+#include "common/bus/waitset.hpp"
+#include "common/bus/writer.hpp"
+#include "common/runtime/operator_desk.hpp"
+#include "common/runtime/options.hpp"
+#include "common/runtime/peers.hpp"
+#include "common/runtime/shutdown.hpp"
+#include "common/runtime/status_board.hpp"
+#include "common/runtime/status_publisher.hpp"
+#include "common/runtime/tick_body.hpp"
+#include "common/safety/command_gate.hpp"
+
+namespace scarab::runtime {
+
+/// Lockstep: the next tick starts when this one's command is there. Real time: it starts when its
+/// time has come.
+enum class Pace { kLockstep, kRealTime };
+
+struct TickMasterOptions {
+  Pace pace = Pace::kLockstep;
+  std::chrono::nanoseconds tick_period{};
+  unsigned samples_per_tick =
+      1;  ///< robot_sensors and world_state per tick; bounds the lead over the logger
+  unsigned stale_ticks_limit =
+      3;  ///< real time: ticks in a row without a command before the safe stop
+  std::chrono::seconds report_silence{1};
+  std::chrono::seconds give_up{10};
+};
+
+/// The one clock of the chain: runs trials on a TickBody, publishing robot_state k, waiting for
+/// joint_command k (through the command gate) and moving the body on.
+class TickMaster {
+ public:
+  TickMaster(bus::Participant& participant, const ServiceOptions& service, const bus::Peer& self,
+             const TickMasterOptions& options, TickBody& body, safety::CommandGate& gate);
+
+  /// Serves trials until SIGINT or SIGTERM.
+  void run();
+
+ private:
+  struct Interrupted {};  // thrown where a wait ends by a shutdown or a newer trial
+
+  void take_trials();
+  void await_start();
+  void run_trial();
+  bool run_tick();
+  void hold_if_paused();
+  void publish_state(bool between_ticks);
+  void await_command();
+  void await_wall_clock();
+  void await_logger();
+  void take_commands();
+  void take_operator();
+  void wait(std::chrono::nanoseconds timeout);
+  void finish();
+  [[nodiscard]] scarab_Header header() const;
+  [[nodiscard]] scarab_TrialPhase phase() const;
+  [[nodiscard]] std::string who_is_silent() const;
+  void report_gate();
+
+  TickMasterOptions options_;
+  TickBody& body_;
+  safety::CommandGate& gate_;
+  Expectation expect_;
+  PeerCheck peers_;
+
+  bus::Guard guard_;
+  bus::WaitSet wait_set_;
+  bus::Reader<scarab_Trial> trials_;
+  bus::Reader<scarab_JointCommand> commands_;
+  bus::Reader<scarab_Behaviour> behaviours_;
+  StatusBoard board_;
+  OperatorDesk desk_;
+  bus::Writer<scarab_RobotState> states_;
+  bus::Writer<scarab_RobotState> sensors_;
+  StatusPublisher status_;
+  Shutdown shutdown_;
+
+  std::optional<scarab_Trial> pending_;  // newest trial told, not yet begun
+  std::uint32_t trial_ = 0;
+  std::uint32_t tick_ = 0;
+  bool answered_ = false;             // the command of tick_ has been accepted
+  std::int64_t behaviour_tick_ = -1;  // newest seen of this trial: tells who is silent
+  std::chrono::steady_clock::time_point tick_due_{};
+};
+
+}  // namespace scarab::runtime

@@ -1,0 +1,140 @@
+#include "services/experiment/conductor.hpp"
+
+#include <algorithm>
+
+#include "common/bus/clock.hpp"
+
+namespace scarab::experiment {
+namespace {
+
+using Clock = std::chrono::steady_clock;
+
+constexpr std::chrono::milliseconds kPoll{5};
+constexpr std::chrono::milliseconds kWatchPoll{50};
+constexpr std::chrono::seconds kPatience{1};
+constexpr std::chrono::seconds kRecordLimit{10};
+
+}  // namespace
+
+Conductor::Conductor(bus::Participant& participant, const runtime::Expectation& expect,
+                     Listener listener)
+    : expect_(expect),
+      listener_(std::move(listener)),
+      peers_(expect),
+      guard_(participant),
+      wait_set_(participant),
+      trials_(participant, bus::kTrial),
+      behaviours_(participant, bus::kBehaviour),
+      worlds_(participant, bus::kWorldState),
+      board_(participant),
+      shutdown_(guard_) {
+  wait_set_.attach(behaviours_);
+  wait_set_.attach(worlds_);
+  wait_set_.attach(board_.reader());
+  wait_set_.attach(guard_);
+  for (const auto& [service, count] : expect_) peers_.need(trials_, service);
+  peers_.need(behaviours_, "supervisor");
+  peers_.need(worlds_, "plant");
+}
+
+void Conductor::await_stack(std::chrono::seconds limit) {
+  const auto since = Clock::now();
+  for (;;) {
+    auto unmet = peers_.unmet();
+    for (const auto& name : board_.missing(expect_, 0)) unmet.push_back(name + " to come up");
+    if (unmet.empty()) return;
+    const auto waited = Clock::now() - since;
+    if (waited > limit)
+      throw NotReady("waited " + std::to_string(limit.count()) + " s for " + runtime::join(unmet));
+    if (waited > kPatience && listener_.waiting) listener_.waiting(runtime::join(unmet));
+    wait(kPoll);
+  }
+}
+
+std::uint32_t Conductor::next_trial() const {
+  std::uint32_t newest = 0;
+  for (const auto& [peer, report] : board_.reports()) {
+    newest = std::max({newest, report.header.trial, report.ready_trial, report.recorded_trial});
+  }
+  return newest + 1;
+}
+
+Outcome Conductor::run(scarab_Trial trial, std::chrono::seconds silence_limit) {
+  TrialWatch watch(trial);
+  watch_ = &watch;
+  heard_ = Clock::now();
+  trial.header.stamp_ns = bus::now_ns();
+  trials_.write(trial);
+  std::size_t shown = 0;
+  while (!watch.ended()) {
+    wait(kWatchPoll);
+    show_changes(watch.outcome(), shown);
+    if (listener_.progress) listener_.progress(watch.outcome().end);
+    watch_for_trouble(watch, silence_limit);
+  }
+  await_record(watch);
+  show_changes(watch.outcome(), shown);
+  watch_ = nullptr;
+  return watch.outcome();
+}
+
+void Conductor::wait(std::chrono::milliseconds timeout) {
+  wait_set_.wait(timeout);
+  if (shutdown_.requested()) throw Interrupted{};
+  board_.update();
+  const auto see = [this](const auto& sample) {
+    heard_ = Clock::now();
+    if (watch_) watch_->see(sample);
+  };
+  behaviours_.take(see);
+  worlds_.take(see);
+}
+
+void Conductor::show_changes(const Outcome& outcome, std::size_t& shown) const {
+  for (; shown < outcome.changes.size(); ++shown) {
+    if (listener_.changed) listener_.changed(outcome.changes[shown]);
+  }
+}
+
+/// A service that cannot go on, or a stack gone silent, ends the trial here: no verdict will come.
+void Conductor::watch_for_trouble(TrialWatch& watch, std::chrono::seconds silence_limit) {
+  if (watch.ended()) return;
+  for (const auto& [peer, report] : board_.reports()) {
+    if (report.health == scarab_HEALTH_FAULT) {
+      watch.fail(bus::to_string(peer) + ": " + report.message);
+      return;
+    }
+    if (report.health == scarab_HEALTH_WAITING && listener_.waiting) {
+      listener_.waiting(bus::to_string(peer) + " " + report.message);
+    }
+  }
+  if (Clock::now() - heard_ > silence_limit) {
+    std::string reason =
+        "nothing heard of the trial for " + std::to_string(silence_limit.count()) + " s";
+    const auto missing = board_.missing(expect_, 0);
+    if (!missing.empty()) reason += "; gone: " + runtime::join(missing);
+    watch.fail(reason);
+  }
+}
+
+/// The last answers of the trial, and their record: so that whoever stops the stack now loses
+/// nothing.
+void Conductor::await_record(const TrialWatch& watch) {
+  const auto recorded = [&] {
+    if (expect_.count("logger") == 0) return true;
+    const auto* logger = board_.find({"logger", 0});
+    return logger && logger->recorded_trial == watch.outcome().number &&
+           logger->recorded_tick >= watch.last_tick();
+  };
+  const auto since = Clock::now();
+  while (Clock::now() - since < kRecordLimit) {
+    const auto& changes = watch.outcome().changes;
+    const bool told =
+        !changes.empty() && (changes.back().state == "done" || changes.back().state == "failed");
+    if (told && recorded()) return;
+    if (!told && Clock::now() - since > kPatience && recorded()) return;
+    wait(kPoll);
+  }
+}
+
+}  // namespace scarab::experiment

@@ -1,0 +1,67 @@
+#pragma once
+
+#include <chrono>
+#include <functional>
+#include <stdexcept>
+#include <string>
+
+#include "common/bus/reader.hpp"
+#include "common/bus/topics.hpp"
+#include "common/bus/waitset.hpp"
+#include "common/bus/writer.hpp"
+#include "common/runtime/peers.hpp"
+#include "common/runtime/shutdown.hpp"
+#include "common/runtime/status_board.hpp"
+#include "services/experiment/adapter.hpp"
+
+namespace scarab::experiment {
+
+/// SIGINT or SIGTERM came.
+struct Interrupted {};
+
+/// The stack did not become ready in time; says whom it waited for.
+class NotReady : public std::runtime_error {
+ public:
+  using std::runtime_error::runtime_error;
+};
+
+/// Runs trials on the stack that is up: tells scarab/trial and watches what comes of it.
+class Conductor {
+ public:
+  /// Called now and then during waits and trials, for the screen.
+  struct Listener {
+    std::function<void(const std::string&)> waiting;  ///< for whom
+    std::function<void(const BehaviourChange&)> changed;
+    std::function<void(const Progress&)> progress;
+  };
+
+  Conductor(bus::Participant& participant, const runtime::Expectation& expect, Listener listener);
+
+  /// Until every expected service is up and matched. Throws NotReady after `limit`, Interrupted.
+  void await_stack(std::chrono::seconds limit);
+  /// The first trial number that nobody in the stack has seen.
+  [[nodiscard]] std::uint32_t next_trial() const;
+  /// Runs one trial to its end and to its last tick in the log. Throws Interrupted.
+  Outcome run(scarab_Trial trial, std::chrono::seconds silence_limit);
+
+ private:
+  void wait(std::chrono::milliseconds timeout);
+  void show_changes(const Outcome& outcome, std::size_t& shown) const;
+  void watch_for_trouble(TrialWatch& watch, std::chrono::seconds silence_limit);
+  void await_record(const TrialWatch& watch);
+
+  runtime::Expectation expect_;
+  Listener listener_;
+  runtime::PeerCheck peers_;
+  bus::Guard guard_;
+  bus::WaitSet wait_set_;
+  bus::Writer<scarab_Trial> trials_;
+  bus::Reader<scarab_Behaviour> behaviours_;
+  bus::Reader<scarab_WorldState> worlds_;
+  runtime::StatusBoard board_;
+  runtime::Shutdown shutdown_;
+  TrialWatch* watch_ = nullptr;
+  std::chrono::steady_clock::time_point heard_{};  // from the running trial
+};
+
+}  // namespace scarab::experiment

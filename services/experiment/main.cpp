@@ -1,0 +1,29 @@
+#include <CLI/CLI.hpp>
+
+#include "common/runtime/logging.hpp"
+#include "common/runtime/program.hpp"
+#include "common/runtime/shutdown.hpp"
+#include "services/experiment/service.hpp"
+
+using namespace scarab;
+
+int main(int argc, char** argv) {
+  CLI::App app{"Runs trials on the stack that is up and reports the referee's verdicts.",
+               "scarab-experiment"};
+  experiment::ExperimentOptions options;
+  runtime::add_bus_options(app, options.bus);
+  runtime::add_expect_option(app, options.expect);
+  runtime::add_trial_options(app, options.trials);
+  app.add_option("--results", options.results, "write a table of the trials here (CSV)");
+  app.add_option("--ready-limit", options.ready_limit_s, "how long to wait for the stack, s")
+      ->capture_default_str();
+  app.add_option("--silence-limit", options.silence_limit_s, "how long a trial may be silent, s")
+      ->capture_default_str();
+  app.add_flag("--quiet", options.quiet, "print results only");
+
+  return runtime::run_program(app, argc, argv, [&] {
+    const runtime::SignalBlock signals;
+    runtime::set_up_logging("experiment", 0, "warning");
+    return experiment::conduct(options);
+  });
+}

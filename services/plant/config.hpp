@@ -1,0 +1,16 @@
+#pragma once
+
+#include <filesystem>
+#include <string>
+
+#include "services/plant/core/plant_config.hpp"
+
+namespace scarab::plant {
+
+/// Reads config/plant/*.yaml. Throws config::Error (`file:line:col: key: reason`).
+PlantConfig load_config(const std::filesystem::path& path);
+
+/// YAML that load_config reads back to an equal value.
+std::string dump_config(const PlantConfig& config);
+
+}  // namespace scarab::plant

@@ -1,0 +1,38 @@
+#pragma once
+
+#include <memory>
+#include <vector>
+
+#include "common/bus/writer.hpp"
+#include "common/robot/robot_model.hpp"
+#include "common/runtime/tick_body.hpp"
+#include "services/plant/core/simulation.hpp"
+
+namespace scarab::plant {
+
+/// The simulated robot and its world as the tick master moves it.
+class PlantBody : public runtime::TickBody {
+ public:
+  PlantBody(bus::Participant& participant, robot::RobotModel robot, PlantConfig config);
+
+  void begin(const scarab_Trial& trial) override;
+  [[nodiscard]] std::int64_t time_ns() const override;
+  void observe(scarab_RobotState& state) const override;
+  [[nodiscard]] robot::JointVector held_rad() const override;
+  void advance(const robot::JointVector& target_rad, const std::function<void()>& sample) override;
+  [[nodiscard]] std::optional<runtime::TrialEnd> verdict() const override;
+  void end(const runtime::TrialEnd& end) override;
+  void publish_own(const scarab_Header& header) override;
+
+  void add_needs(runtime::PeerCheck& peers) const override;
+
+ private:
+  robot::RobotModel robot_;
+  PlantConfig config_;
+  bus::Writer<scarab_WorldState> worlds_;
+  std::unique_ptr<Simulation> simulation_;
+  std::optional<runtime::TrialEnd> ended_;  // from outside, in place of the referee's verdict
+  std::vector<scarab_Contact> contacts_;
+};
+
+}  // namespace scarab::plant

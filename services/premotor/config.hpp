@@ -1,0 +1,16 @@
+#pragma once
+
+#include <filesystem>
+#include <string>
+
+#include "services/premotor/core/premotor_config.hpp"
+
+namespace scarab::premotor {
+
+/// Reads config/premotor/*.yaml. Throws config::Error (`file:line:col: key: reason`).
+PremotorConfig load_config(const std::filesystem::path& path);
+
+/// YAML that load_config reads back to an equal value.
+std::string dump_config(const PremotorConfig& config);
+
+}  // namespace scarab::premotor

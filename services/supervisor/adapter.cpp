@@ -1,0 +1,60 @@
+#include "services/supervisor/adapter.hpp"
+
+#include <algorithm>
+#include <iterator>
+
+#include "common/bus/sample_fields.hpp"
+#include "common/robot/joints.hpp"
+
+namespace scarab::supervisor {
+namespace {
+
+template <class Core, class Idl>
+constexpr bool same(Core core, Idl idl) {
+  return static_cast<int>(core) == static_cast<int>(idl);
+}
+
+static_assert(same(Mode::kStop, scarab_MODE_STOP) && same(Mode::kHardPush, scarab_MODE_HARD_PUSH) &&
+              same(Mode::kStationary, scarab_MODE_STATIONARY));
+static_assert(same(State::kIdle, scarab_BEHAVIOUR_IDLE) &&
+              same(State::kMode1, scarab_BEHAVIOUR_MODE_1) &&
+              same(State::kSafeStop, scarab_BEHAVIOUR_SAFE_STOP));
+static_assert(same(Phase::kRunning, scarab_PHASE_RUNNING) &&
+              same(Phase::kSafeStop, scarab_PHASE_SAFE_STOP) &&
+              same(Phase::kSucceeded, scarab_PHASE_SUCCEEDED) &&
+              same(Phase::kFailed, scarab_PHASE_FAILED));
+
+constexpr std::size_t kPitch = 1;  // index in inclination_rad
+
+}  // namespace
+
+Perception to_perception(const scarab_RobotState& state) {
+  using robot::joint_slot;
+  using robot::Leg;
+  using robot::LegJoint;
+  Perception perception;
+  perception.tick = state.header.tick;
+  perception.phase = static_cast<Phase>(state.phase);
+  perception.pitch_rad = state.inclination_rad[kPitch];
+  perception.front_f_rad = {state.position_rad[joint_slot(Leg::kL0, LegJoint::kFemurTibia)],
+                            state.position_rad[joint_slot(Leg::kR0, LegJoint::kFemurTibia)]};
+  return perception;
+}
+
+void fill(scarab_Behaviour& behaviour, const Decision& decision) {
+  behaviour.mode = static_cast<scarab_Mode>(decision.mode);
+  std::copy(decision.inputs.begin(), decision.inputs.end(), std::begin(behaviour.inputs));
+  behaviour.hind_override = decision.hind_override;
+  std::copy(decision.hind_pose_rad.begin(), decision.hind_pose_rad.end(),
+            std::begin(behaviour.hind_pose_rad));
+  behaviour.backbone_rad = decision.backbone_rad;
+  behaviour.state = static_cast<scarab_BehaviourState>(decision.state);
+  behaviour.entered_tick = decision.entered_tick;
+  bus::assign_truncated(behaviour.reason, decision.reason.data());
+  behaviour.bs_rad = decision.bs_rad;
+  behaviour.bs_threshold_rad = decision.bs_threshold_rad;
+  behaviour.as_rad = decision.as_rad;
+  behaviour.as_threshold_rad = decision.as_threshold_rad;
+}
+
+}  // namespace scarab::supervisor

@@ -1,0 +1,14 @@
+#pragma once
+
+#include "common/bus/topics.hpp"
+#include "services/supervisor/core/behaviour_machine.hpp"
+
+/// IDL types <-> core types of the supervisor. No I/O; headers are the caller's.
+namespace scarab::supervisor {
+
+Perception to_perception(const scarab_RobotState& state);
+
+/// Fills all but the header.
+void fill(scarab_Behaviour& behaviour, const Decision& decision);
+
+}  // namespace scarab::supervisor

@@ -1,0 +1,16 @@
+#pragma once
+
+#include <filesystem>
+#include <string>
+
+#include "services/supervisor/core/supervisor_config.hpp"
+
+namespace scarab::supervisor {
+
+/// Reads config/supervisor/*.yaml. Throws config::Error (`file:line:col: key: reason`).
+SupervisorConfig load_config(const std::filesystem::path& path);
+
+/// YAML that load_config reads back to an equal value.
+std::string dump_config(const SupervisorConfig& config);
+
+}  // namespace scarab::supervisor

@@ -1,0 +1,33 @@
+#include <CLI/CLI.hpp>
+
+#include "common/config/robot_file.hpp"
+#include "common/runtime/program.hpp"
+#include "services/plant/config.hpp"
+#include "services/premotor/config.hpp"
+#include "services/supervisor/config.hpp"
+#include "tools/sim/sim.hpp"
+
+using namespace scarab;
+
+int main(int argc, char** argv) {
+  CLI::App app{"Runs trials with the cores of all services in one process.", "scarab-sim"};
+  sim::SimOptions options;
+  std::string robot, plant, premotor, supervisor;
+  runtime::add_trial_options(app, options.trials);
+  app.add_option("--robot", robot, "robot description (YAML)")->required();
+  app.add_option("--plant", plant, "plant configuration (YAML)")->required();
+  app.add_option("--premotor", premotor, "premotor configuration (YAML)")->required();
+  app.add_option("--supervisor", supervisor, "supervisor configuration (YAML)")->required();
+  app.add_option("--output", options.output, "record all samples here (MCAP)");
+  app.add_option("--results", options.results, "write a table of the trials here (CSV)");
+  app.add_flag("--quiet", options.quiet, "print results only");
+
+  return runtime::run_program(app, argc, argv, [&] {
+    sim::Configuration configuration;
+    configuration.robot = config::load_robot(robot);
+    configuration.plant = plant::load_config(plant);
+    configuration.premotor = premotor::load_config(premotor);
+    configuration.supervisor = supervisor::load_config(supervisor);
+    return sim::simulate(options, configuration);
+  });
+}
