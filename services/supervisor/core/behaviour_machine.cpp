@@ -155,7 +155,8 @@ void BehaviourMachine::climb(MachineState& state, std::uint32_t tick) const {
 
 void BehaviourMachine::watch_for_obstacle(MachineState& state, std::uint32_t tick,
                                           double as_rad) const {
-  const bool armed = tick - state.entered_tick >= config_.as.arm_ticks;
+  const bool armed = tick - state.entered_tick >= config_.as.arm_ticks &&
+                     covers(state.front_f, config_.as.window_ticks);
   if (strategy_.push.size() < 2 || !armed) {
     return;
   }

@@ -35,4 +35,8 @@ double mean(const MovingWindow& window, double width) {
   return total > 0 ? sum / total : 0;
 }
 
+bool covers(const MovingWindow& window, double width) {
+  return static_cast<double>(window.count) >= width;
+}
+
 }  // namespace scarab::supervisor

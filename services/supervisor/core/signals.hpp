@@ -35,4 +35,7 @@ void push(MovingWindow& window, double sample);
 /// samples held, the mean of these; 0 with none.
 double mean(const MovingWindow& window, double width);
 
+/// Whether the window holds all the samples that a mean over `width` needs.
+bool covers(const MovingWindow& window, double width);
+
 }  // namespace scarab::supervisor

@@ -171,61 +171,6 @@ TEST(BehaviourMachine, SingleModeNeverSwitches) {
   EXPECT_LT(decision.as_rad, decision.as_threshold_rad) << "AS is still reported";
 }
 
-struct Ending {
-  Phase phase;
-  State state;
-};
-
-class EndOfTrial : public testing::TestWithParam<Ending> {};
-
-TEST_P(EndOfTrial, IsFinalFromEveryState) {
-  for (const int ticks_before : {0, 3, 12, 30}) {
-    ScriptedRobot robot("soft+hard");
-    robot.pitch_rad = kTiltedRad;
-    robot.ticks(ticks_before);
-    robot.phase = GetParam().phase;
-    const Decision decision = robot.tick();
-    EXPECT_EQ(decision.state, GetParam().state);
-    EXPECT_EQ(decision.mode, Mode::kStop);
-    EXPECT_THAT(reason(decision), testing::HasSubstr("tick master"));
-    robot.phase = Phase::kRunning;
-    EXPECT_EQ(robot.ticks(10).state, GetParam().state) << "for good";
-  }
-}
-
-INSTANTIATE_TEST_SUITE_P(Phases, EndOfTrial,
-                         testing::Values(Ending{Phase::kSucceeded, State::kDone},
-                                         Ending{Phase::kFailed, State::kFailed}));
-
-TEST(BehaviourMachine, StopsWithTheSafeStopAndApproachesAgainAfterIt) {
-  ScriptedRobot robot = on_the_object("soft+hard");
-  const std::uint32_t stopped = robot.next_tick();
-  robot.phase = Phase::kSafeStop;
-  Decision decision = robot.ticks(50);
-  EXPECT_EQ(decision.state, State::kSafeStop);
-  EXPECT_EQ(decision.mode, Mode::kStop);
-  EXPECT_EQ(decision.entered_tick, stopped) << "entered once";
-  robot.phase = Phase::kRunning;
-  robot.pitch_rad = 0;  // homed, off the object
-  decision = robot.tick();
-  EXPECT_EQ(decision.state, State::kApproach);
-  EXPECT_EQ(decision.mode, Mode::kBackward);
-  EXPECT_EQ(robot.ticks(100).state, State::kApproach);
-}
-
-TEST(BehaviourMachine, FindsTheObjectAgainAfterASafeStop) {
-  ScriptedRobot robot = on_the_object("soft+hard");
-  robot.front_f_rad = kBlockedRad;
-  robot.until(State::kMode2);
-  robot.phase = Phase::kSafeStop;
-  robot.ticks(10);
-  robot.phase = Phase::kRunning;
-  EXPECT_EQ(robot.tick().state, State::kApproach);
-  EXPECT_EQ(robot.tick().state, State::kClimb) << "still tilted";
-  EXPECT_EQ(robot.ticks(5).state, State::kMode1) << "after settling again";
-  EXPECT_EQ(robot.ticks(30).state, State::kMode1) << "disarmed again";
-}
-
 TEST(BehaviourMachine, OutlivesReadingsThatAreNotFinite) {
   ScriptedRobot robot("soft+hard");
   robot.ticks(5);
@@ -237,6 +182,13 @@ TEST(BehaviourMachine, OutlivesReadingsThatAreNotFinite) {
   robot.pitch_rad = kTiltedRad;
   robot.front_f_rad = 1.013;
   EXPECT_EQ(robot.until(State::kMode1).state, State::kMode1);
+}
+
+TEST(BehaviourMachine, NeverSwitchesWithoutFrontAngles) {
+  ScriptedRobot robot("soft+hard");
+  robot.front_f_rad = kNan;
+  robot.pitch_rad = kTiltedRad;
+  EXPECT_EQ(robot.ticks(300).state, State::kMode1);
 }
 
 TEST(BehaviourMachine, GoesOnFromACopiedStateBitByBit) {

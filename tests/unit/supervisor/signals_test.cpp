@@ -52,6 +52,17 @@ TEST(MovingWindow, OfFewerSamplesThanItsWidthAveragesThese) {
   EXPECT_DOUBLE_EQ(mean(window, 14.4), 3);
 }
 
+TEST(MovingWindow, CoversAWidthFromItsRoundedUpNumberOfSamples) {
+  MovingWindow window;
+  for (int i = 0; i < 14; ++i) {
+    push(window, 1);
+  }
+  EXPECT_TRUE(covers(window, 14));
+  EXPECT_FALSE(covers(window, 14.4));
+  push(window, 1);
+  EXPECT_TRUE(covers(window, 14.4));
+}
+
 TEST(MovingWindow, KeepsAConstantExactlyForAnyWidth) {
   for (const double width : {1.0, 7.3, 14.43, 63.9, 64.0}) {
     MovingWindow window;
