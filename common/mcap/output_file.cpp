@@ -54,8 +54,8 @@ void OutputFile::append(ByteView bytes) {
   crc_.update(bytes);
 }
 
-void OutputFile::finish(const std::filesystem::path& final_path) {
-  if (::fsync(descriptor_) != 0 && errno != EINVAL) {  // EINVAL: not a file that can be synced
+void OutputFile::finish(const std::filesystem::path& final_path, bool sync) {
+  if (sync && ::fsync(descriptor_) != 0 && errno != EINVAL) {  // EINVAL: cannot be synced at all
     fail("sync", path_, errno);
   }
   if (::close(std::exchange(descriptor_, -1)) != 0) {

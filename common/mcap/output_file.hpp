@@ -22,8 +22,9 @@ class OutputFile {
   /// Writes all of `bytes` or nothing: after an error the file ends where it ended before. Throws
   /// FileError.
   void append(ByteView bytes);
-  /// Brings everything to the disk, closes and renames to `final_path`. Throws FileError.
-  void finish(const std::filesystem::path& final_path);
+  /// Closes and renames to `final_path`; with `sync` after everything has reached the disk. Throws
+  /// FileError.
+  void finish(const std::filesystem::path& final_path, bool sync);
 
   std::uint64_t size() const { return size_; }
   /// CRC-32 of everything written so far.

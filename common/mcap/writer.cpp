@@ -169,7 +169,7 @@ void Writer::close() {
   append(end);
   append(encode_summary(summary_, file_.size()));
   refusal_ = path_.string() + " is closed";
-  file_.finish(path_);
+  file_.finish(path_, options_.sync_on_close);
 }
 
 }  // namespace scarab::mcap

@@ -23,7 +23,8 @@ struct WriterOptions {
   int compression_level = 1;
   std::string profile;  ///< "": no profile of the specification's registry
   std::string library = "scarab";
-  bool overwrite = false;  ///< replace an existing file (finished or active) rather than refuse
+  bool sync_on_close = false;  ///< close() waits until the disk has the file: safe from a power cut
+  bool overwrite = false;      ///< replace an existing file (finished or active) rather than refuse
 };
 
 /// Writes one MCAP file: chunks with CRC and message indexes, attachments, metadata, and a summary

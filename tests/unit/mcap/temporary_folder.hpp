@@ -40,9 +40,8 @@ inline Bytes read_file(const std::filesystem::path& path) {
 
 inline void write_file(const std::filesystem::path& path, ByteView bytes) {
   std::ofstream file(path, std::ios::binary | std::ios::trunc);
-  for (const std::uint8_t byte : bytes) {
-    file.put(static_cast<char>(byte));
-  }
+  file.write(reinterpret_cast<const char*>(bytes.data()),
+             static_cast<std::streamsize>(bytes.size()));
 }
 
 }  // namespace scarab::mcap::test

@@ -1,0 +1,56 @@
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "common/mcap/bytes.hpp"
+
+namespace scarab::logger {
+
+/// A topic to be recorded: what its channel and schema in the file will say.
+struct ChannelSpec {
+  std::string topic;
+  std::string type_name;
+  std::string idl;  ///< empty: the type is not known, its samples are recorded as bytes only
+  bool shows_progress = false;  ///< its samples say how far the trial has been recorded
+};
+
+/// Samples on their way from the bus to the file, in the order they were taken. One allocation for
+/// many samples.
+class SampleBatch {
+ public:
+  struct Entry {
+    std::uint32_t channel = 0;  ///< counted from 0 in the order the channels were added
+    std::uint32_t sequence = 0;
+    std::uint64_t log_time_ns = 0;
+    std::uint64_t publish_time_ns = 0;
+    std::size_t begin = 0;
+    std::size_t size = 0;
+  };
+
+  void add_channel(ChannelSpec spec) { channels_.push_back(std::move(spec)); }
+  void add(Entry entry, mcap::ByteView bytes) {
+    entry.begin = bytes_.size();
+    entry.size = bytes.size();
+    bytes_.insert(bytes_.end(), bytes.begin(), bytes.end());
+    entries_.push_back(entry);
+  }
+
+  bool empty() const { return channels_.empty() && entries_.empty(); }
+  /// What it holds in memory, for the queue's bound.
+  std::size_t size_bytes() const { return bytes_.size() + entries_.size() * sizeof(Entry); }
+  /// Channels that are new with this batch, to be added before its samples.
+  const std::vector<ChannelSpec>& channels() const { return channels_; }
+  const std::vector<Entry>& entries() const { return entries_; }
+  mcap::ByteView bytes(const Entry& entry) const {
+    return mcap::ByteView(bytes_).slice(entry.begin, entry.size);
+  }
+
+ private:
+  std::vector<ChannelSpec> channels_;
+  std::vector<Entry> entries_;
+  mcap::Bytes bytes_;
+};
+
+}  // namespace scarab::logger
