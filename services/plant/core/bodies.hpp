@@ -6,24 +6,27 @@
 
 #include "common/robot/joints.hpp"
 
-/// The plant's bodies and generalised speeds in one fixed order, whatever the robot lacks: a joint the
-/// robot does not have keeps its slot and is locked at 0.
+/// The plant's bodies and generalised speeds in one fixed order, whatever the robot lacks: a joint
+/// the robot does not have keeps its slot and is locked at 0.
 namespace scarab::plant {
 
 enum class LegSegment : std::size_t { kCoxa, kFemur, kTibia };
 
-inline constexpr std::size_t kRearTrunkBody = 0;   ///< free body; origin at the undivided trunk's centre
+inline constexpr std::size_t kRearTrunkBody =
+    0;  ///< free body; origin at the undivided trunk's centre
 inline constexpr std::size_t kFrontTrunkBody = 1;  ///< origin at the backbone hinge
 inline constexpr std::size_t kObjectBody = 20;
 inline constexpr std::size_t kBodyCount = 21;
 
-/// Body of a leg segment; its origin is the joint that moves it, at angle 0 its axes are the mount's.
+/// Body of a leg segment; its origin is the joint that moves it, at angle 0 its axes are the
+/// mount's.
 constexpr std::size_t leg_body(robot::Leg leg, LegSegment segment) {
   return 2 + 3 * robot::leg_slot(leg) + static_cast<std::size_t>(segment);
 }
 
-/// Generalised speeds: angular then linear velocity of the rear trunk's origin (world frame), the 19
-/// joint speeds in slot order, angular then linear velocity of the object's centre (world frame).
+/// Generalised speeds: angular then linear velocity of the rear trunk's origin (world frame), the
+/// 19 joint speeds in slot order, angular then linear velocity of the object's centre (world
+/// frame).
 inline constexpr std::size_t kTrunkSpeed = 0;
 inline constexpr std::size_t kJointSpeed = 6;
 inline constexpr std::size_t kObjectSpeed = kJointSpeed + robot::kJointCount;

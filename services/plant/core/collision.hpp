@@ -9,9 +9,9 @@
 namespace scarab::plant {
 
 /// Finds every contact of the scene: feet, tibiae, femora, coxae and trunk with ground, object and
-/// obstacle, legs with other legs, object with ground and obstacle. Left out: the segments of one leg with
-/// each other (their joint ranges keep them apart), legs with the trunk, and the shoulders, which are
-/// fixed beside the trunk's upper edge.
+/// obstacle, legs with other legs, object with ground and obstacle. Left out: the segments of one
+/// leg with each other (their joint ranges keep them apart), legs with the trunk, and the
+/// shoulders, which are fixed beside the trunk's upper edge.
 class Collision {
  public:
   /// `wall` lies flat (height 0) where the trial has no obstacle.

@@ -24,8 +24,8 @@ Distance distance_from(const Cylinder& cylinder, const Vector3d& point) {
   const double radial = across.norm();
   const double side = radial - cylinder.radius;
   const double end = std::abs(along) - cylinder.half_length;
-  const Vector3d side_out = radial > kTiny ? Vector3d(across / radial)
-                                           : Vector3d(cylinder.axis.unitOrthogonal());
+  const Vector3d side_out =
+      radial > kTiny ? Vector3d(across / radial) : Vector3d(cylinder.axis.unitOrthogonal());
   const Vector3d end_out = along < 0 ? Vector3d(-cylinder.axis) : cylinder.axis;
   if (end <= 0 && (side > 0 || side >= end)) return {side, side_out};
   if (side <= 0) return {end, end_out};
@@ -73,8 +73,9 @@ double minimise_convex(const F& f) {
   return f(1) <= f(t) ? 1 : t;
 }
 
-/// Place on the segment that is deepest in the cylinder. Distance to the mantle bounds the distance to
-/// the solid from below, so its minimum, a closed form, is the answer wherever the mantle is nearest.
+/// Place on the segment that is deepest in the cylinder. Distance to the mantle bounds the distance
+/// to the solid from below, so its minimum, a closed form, is the answer wherever the mantle is
+/// nearest.
 double deepest(const Cylinder& cylinder, const Vector3d& a, const Vector3d& b) {
   const Vector3d offset = a - cylinder.centre;
   const Vector3d along = b - a;
@@ -153,7 +154,8 @@ std::optional<Touch> touch_wall(const Wall& wall, const Capsule& capsule, bool* 
 
 std::optional<Touch> touch_capsules(const Capsule& first, const Capsule& second, bool* a_at_b,
                                     bool* b_at_b) {
-  // Closest points of two segments: C. Ericson, Real-Time Collision Detection (2005), section 5.1.9.
+  // Closest points of two segments: C. Ericson, Real-Time Collision Detection (2005),
+  // section 5.1.9.
   const Vector3d d1 = first.b - first.a;
   const Vector3d d2 = second.b - second.a;
   const Vector3d offset = first.a - second.a;
@@ -197,8 +199,7 @@ AxisTouches cylinder_on_ground(const Cylinder& cylinder) {
   const Vector3d& u = cylinder.axis;
   const Vector3d down = -Vector3d::UnitZ() + u.z() * u;  // in the plane of the rim
   const double tilt = down.norm();                       // cosine of the axis against the ground
-  const Vector3d to_rim = tilt > kTiny ? Vector3d(cylinder.radius / tilt * down)
-                                       : Vector3d::Zero();
+  const Vector3d to_rim = tilt > kTiny ? Vector3d(cylinder.radius / tilt * down) : Vector3d::Zero();
   for (std::size_t i = 0; i < out.size(); ++i) {
     const double along = (static_cast<double>(i) - 1) * cylinder.half_length;
     out[i] = touch_ground(cylinder.centre + along * u + to_rim, 0);
@@ -208,8 +209,8 @@ AxisTouches cylinder_on_ground(const Cylinder& cylinder) {
 
 AxisTouches cylinder_on_wall(const Cylinder& cylinder, const Wall& wall) {
   const Vector3d& u = cylinder.axis;
-  // Where the axis passes closest over the wall's top; a regularised quotient, so that it goes to the
-  // middle as axis and wall become parallel.
+  // Where the axis passes closest over the wall's top; a regularised quotient, so that it goes to
+  // the middle as axis and wall become parallel.
   constexpr double kParallel = 1e-3;
   const Vector2d across(u.x(), u.z());
   const Vector2d offset(cylinder.centre.x() - wall.x, cylinder.centre.z() - wall.height);

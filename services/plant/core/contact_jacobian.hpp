@@ -9,8 +9,8 @@
 namespace scarab::plant {
 
 /// How the generalised speeds move solid b against solid a at a contact point: v_b - v_a = sum of
-/// column * speed. Sparse: a robot body depends on at most ten speeds. When both solids are the robot's,
-/// the trunk's six cancel and are left out.
+/// column * speed. Sparse: a robot body depends on at most ten speeds. When both solids are the
+/// robot's, the trunk's six cancel and are left out.
 class ContactJacobian {
  public:
   ContactJacobian(const Kinematics& kinematics,

@@ -62,8 +62,7 @@ ContactForce ContactLaw::evaluate(const Contact& contact, const Eigen::Vector3d&
 
 void ContactLaw::add_friction(const Contact& contact, const Eigen::Vector3d& slip, double normal_n,
                               double dt_s, ContactForce& force) {
-  const double limit =
-      friction_coefficient(friction_, contact.a.solid, contact.b.solid) * normal_n;
+  const double limit = friction_coefficient(friction_, contact.a.solid, contact.b.solid) * normal_n;
   const double speed = slip.norm();
   force.slip_damping = limit / std::max(speed, contact_.slip_speed_m_s);
   if (anchors_.empty()) return;

@@ -7,16 +7,16 @@
 
 namespace scarab::plant {
 
-/// Coefficients of one contact's force, linear in the relative velocity v = v_b - v_a at the contact
-/// point at the END of a step of length dt:
+/// Coefficients of one contact's force, linear in the relative velocity v = v_b - v_a at the
+/// contact point at the END of a step of length dt:
 ///
 ///   F_on_b = normal (push - normal_damping v.n) + anchor - slip_damping (v - (v.n) n)
 ///
-/// push = k d, normal_damping = c + dt k: penalty spring and damper, the spring at the end of the step.
-/// slip_damping = mu N / max(|v_t|, v_s): Coulomb friction regularised below v_s, as the secant through
-/// the present slip speed (so it never reverses a slip), with N the normal force expected from the
-/// present velocity. With anchors (Cundall and Strack 1979) a spring of the slip since touch-down is
-/// added below the Coulomb limit.
+/// push = k d, normal_damping = c + dt k: penalty spring and damper, the spring at the end of the
+/// step. slip_damping = mu N / max(|v_t|, v_s): Coulomb friction regularised below v_s, as the
+/// secant through the present slip speed (so it never reverses a slip), with N the normal force
+/// expected from the present velocity. With anchors (Cundall and Strack 1979) a spring of the slip
+/// since touch-down is added below the Coulomb limit.
 struct ContactForce {
   double push_n = 0;
   double normal_damping = 0;
@@ -40,7 +40,8 @@ class ContactLaw {
   /// Force of `contact` for a step of dt_s, given the relative velocity (m/s, b against a) and the
   /// object's spin about its axis (rad/s). A contact that would pull gives zeros.
   [[nodiscard]] ContactForce evaluate(const Contact& contact, const Eigen::Vector3d& velocity,
-                                      double object_spin_rad_s, double object_radius_m, double dt_s);
+                                      double object_spin_rad_s, double object_radius_m,
+                                      double dt_s);
 
   /// Call once before the contacts of each step are evaluated.
   void begin_step() { ++step_; }

@@ -72,7 +72,8 @@ struct PathJoint {
   Spatial subspace;
 };
 
-/// Writes row (or column, below the diagonal) of the joint `path[count - 1]`, which moves `composite`.
+/// Writes row (or column, below the diagonal) of the joint `path[count - 1]`, which moves
+/// `composite`.
 void set_joint(const SpatialInertia& composite, const PathJoint* path, int count, double g,
                SpeedMatrix& mass, SpeedVector& gravity) {
   const PathJoint& joint = path[count - 1];
@@ -88,8 +89,7 @@ void set_joint(const SpatialInertia& composite, const PathJoint* path, int count
 }
 
 PathJoint path_joint(const Kinematics& kinematics, std::size_t slot, const Vector3d& origin) {
-  return {static_cast<Eigen::Index>(kJointSpeed + slot),
-          subspace(kinematics.joint[slot], origin)};
+  return {static_cast<Eigen::Index>(kJointSpeed + slot), subspace(kinematics.joint[slot], origin)};
 }
 
 }  // namespace
@@ -116,8 +116,7 @@ void MassMatrix::compute(const Kinematics& kinematics, double gravity_m_s2, Spee
       path[count++] = path_joint(kinematics, joint_slot(leg, joint), origin);
     }
     SpatialInertia composite;
-    for (const LegSegment segment :
-         {LegSegment::kTibia, LegSegment::kFemur, LegSegment::kCoxa}) {
+    for (const LegSegment segment : {LegSegment::kTibia, LegSegment::kFemur, LegSegment::kCoxa}) {
       const std::size_t index = leg_body(leg, segment);
       composite.add(about(origin, body[index], mass_[index]));
       set_joint(composite, path, count--, gravity_m_s2, mass, gravity);
@@ -129,7 +128,8 @@ void MassMatrix::compute(const Kinematics& kinematics, double gravity_m_s2, Spee
   set_free_body(rear, kTrunkSpeed, mass);
   set_free_weight(rear, gravity_m_s2, kTrunkSpeed, gravity);
 
-  const SpatialInertia object = about(body[kObjectBody].position, body[kObjectBody], mass_[kObjectBody]);
+  const SpatialInertia object =
+      about(body[kObjectBody].position, body[kObjectBody], mass_[kObjectBody]);
   set_free_body(object, kObjectSpeed, mass);
   set_free_weight(object, gravity_m_s2, kObjectSpeed, gravity);
 }

@@ -41,9 +41,9 @@ BodyMass joined(const BodyMass& a, const BodyMass& b) {
   sum.centre_m = (a.mass_kg * a.centre_m + b.mass_kg * b.centre_m) / sum.mass_kg;
   for (const BodyMass* part : {&a, &b}) {
     const Vector3d offset = part->centre_m - sum.centre_m;
-    sum.inertia_kg_m2 += part->inertia_kg_m2 +
-                         part->mass_kg * (offset.squaredNorm() * Matrix3d::Identity() -
-                                          offset * offset.transpose());
+    sum.inertia_kg_m2 +=
+        part->inertia_kg_m2 +
+        part->mass_kg * (offset.squaredNorm() * Matrix3d::Identity() - offset * offset.transpose());
   }
   return sum;
 }
@@ -79,8 +79,9 @@ void lay_out_trunk(const robot::Trunk& trunk, Morphology& out) {
   out.mass[kRearTrunkBody] = box_mass(out.rear_box, trunk.mass_kg - front_mass);
   out.mass[kFrontTrunkBody] = box_mass(out.front_box, front_mass);
   // Positive backbone angle raises the rear against the front: the front turns about -y.
-  out.mounting[kFrontTrunkBody] = {kRearTrunkBody, Matrix3d::Identity(), Vector3d(trunk.hinge_x_m, 0, 0),
-                               -Vector3d::UnitY(), robot::kBackboneSlot};
+  out.mounting[kFrontTrunkBody] = {kRearTrunkBody, Matrix3d::Identity(),
+                                   Vector3d(trunk.hinge_x_m, 0, 0), -Vector3d::UnitY(),
+                                   robot::kBackboneSlot};
 }
 
 void lay_out_segment(const robot::Segment& shape, const Vector3d& outward, std::size_t body,

@@ -31,11 +31,12 @@ struct TrunkBox {
 };
 
 /// A robot and its object laid out as the plant's bodies: how they hang together, weigh and look.
-/// Segments are solid rods, the trunk a solid box divided at the hinge, the object a solid cylinder.
+/// Segments are solid rods, the trunk a solid box divided at the hinge, the object a solid
+/// cylinder.
 struct Morphology {
   std::array<Mounting, kBodyCount> mounting;  ///< of every body but the two free ones
   std::array<BodyMass, kBodyCount> mass;
-  std::array<SegmentShape, kBodyCount> segment;      ///< of the 18 leg bodies
+  std::array<SegmentShape, kBodyCount> segment;  ///< of the 18 leg bodies
   std::array<double, robot::kLegCount> foot_radius_m{};
   std::array<bool, robot::kLegCount> leg_on_front{};  ///< moved by the backbone hinge
   TrunkBox rear_box;
@@ -45,8 +46,8 @@ struct Morphology {
   double object_half_length_m = 0;
 };
 
-/// Throws std::invalid_argument naming a length, radius or mass that is not positive and finite, or a
-/// hinge outside the trunk.
+/// Throws std::invalid_argument naming a length, radius or mass that is not positive and finite, or
+/// a hinge outside the trunk.
 [[nodiscard]] Morphology make_morphology(const robot::RobotModel& robot,
                                          const ObjectConfig& object);
 

@@ -10,10 +10,10 @@ namespace scarab::plant {
 struct Observation {
   robot::JointVector position_rad{};
   robot::JointVector velocity_rad_s{};
-  robot::JointVector torque_nm{};    ///< of the servo, on the joint
-  robot::LegVector foot_force_n{};   ///< normal force on the foot, >= 0
-  double roll_rad = 0;               ///< of the rear trunk, + = left side up
-  double pitch_rad = 0;              ///< of the rear trunk, + = rear up
+  robot::JointVector torque_nm{};                  ///< of the servo, on the joint
+  robot::LegVector foot_force_n{};                 ///< normal force on the foot, >= 0
+  double roll_rad = 0;                             ///< of the rear trunk, + = left side up
+  double pitch_rad = 0;                            ///< of the rear trunk, + = rear up
   std::array<double, 3> angular_velocity_rad_s{};  ///< of the rear trunk, in its own frame
   std::array<double, 3> acceleration_m_s2{};  ///< specific force, in its own frame; at rest (0,0,g)
 };

@@ -4,8 +4,8 @@
 
 namespace scarab::plant {
 
-/// Periods of the simulation. Each is a whole number of nanoseconds; the sensor period is a multiple
-/// of the step and the control period one of the sensor period.
+/// Periods of the simulation. Each is a whole number of nanoseconds; the sensor period is a
+/// multiple of the step and the control period one of the sensor period.
 struct TimingConfig {
   double step_s = 0.002;
   double sensor_period_s = 0.02;
@@ -20,8 +20,9 @@ struct NormalContact {
 
 /// Contact law (contact_law.hpp).
 struct ContactConfig {
-  NormalContact robot;   ///< of each point on the robot, against anything
-  NormalContact object;  ///< of the cylinder on ground and obstacle, all points of its axis together
+  NormalContact robot;  ///< of each point on the robot, against anything
+  NormalContact
+      object;  ///< of the cylinder on ground and obstacle, all points of its axis together
   double slip_speed_m_s = 0.002;           ///< friction grows linearly up to this speed
   double anchor_stiffness_n_m = 0;         ///< of Cundall-Strack friction anchors; 0: no anchors
   double object_rolling_resistance_m = 0;  ///< lever arm: torque per normal force

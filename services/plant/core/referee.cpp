@@ -67,8 +67,8 @@ Standing standing(const MotionState& state, double time_s, double trunk_half_len
                   double object_start_x_m) {
   Standing out;
   out.time_s = time_s;
-  out.trunk_end = state.trunk_position +
-                  state.trunk_orientation * Eigen::Vector3d(-trunk_half_length_m, 0, 0);
+  out.trunk_end =
+      state.trunk_position + state.trunk_orientation * Eigen::Vector3d(-trunk_half_length_m, 0, 0);
   const Eigen::Vector3d up = state.trunk_orientation * Eigen::Vector3d::UnitZ();
   out.trunk_tilt_rad = std::acos(std::clamp(up.z(), -1.0, 1.0));
   out.object = state.object_position;

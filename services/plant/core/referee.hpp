@@ -27,9 +27,9 @@ struct Standing {
 
 /// Judges a trial's goal on the ground truth.
 ///
-/// travel: the object has travelled the distance. across: the object's axis is across_margin_m past the
-/// wall (towards -x). Failure: robot overturned; object lost (too far from the trunk's end, along the path
-/// or sideways); time limit, which without a goal is the success instead.
+/// travel: the object has travelled the distance. across: the object's axis is across_margin_m past
+/// the wall (towards -x). Failure: robot overturned; object lost (too far from the trunk's end,
+/// along the path or sideways); time limit, which without a goal is the success instead.
 class Referee {
  public:
   Referee(const RefereeConfig& config, const TrialSpec& trial, const Wall& wall);

@@ -31,9 +31,9 @@ void RobotTree::update(const MotionState& state, Kinematics& kinematics) {
 }
 
 void RobotTree::inertial_force(SpeedVector& force) {
-  impl_->model.matter.calcResidualForceIgnoringConstraints(
-      impl_->state, impl_->no_mobility_force, impl_->no_body_force, impl_->no_acceleration,
-      impl_->residual);
+  impl_->model.matter.calcResidualForceIgnoringConstraints(impl_->state, impl_->no_mobility_force,
+                                                           impl_->no_body_force,
+                                                           impl_->no_acceleration, impl_->residual);
   const auto& index = impl_->model.speed_index();
   for (std::size_t i = 0; i < kSpeedCount; ++i) {
     force(static_cast<Eigen::Index>(i)) = impl_->residual[index[i]];

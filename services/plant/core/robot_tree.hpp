@@ -7,9 +7,9 @@
 
 namespace scarab::plant {
 
-/// The Simbody model of robot and object: kinematics and velocity-dependent inertial forces. Contact,
-/// servos and integration are the stepper's. Simbody's headers stay behind this class (they take long
-/// to compile); simbody_model.hpp opens it for cross-checks.
+/// The Simbody model of robot and object: kinematics and velocity-dependent inertial forces.
+/// Contact, servos and integration are the stepper's. Simbody's headers stay behind this class
+/// (they take long to compile); simbody_model.hpp opens it for cross-checks.
 class RobotTree {
  public:
   explicit RobotTree(const Morphology& morphology);
@@ -22,8 +22,8 @@ class RobotTree {
   /// Poses, velocities and joint axes at `state`. Also prepares inertial_force().
   void update(const MotionState& state, Kinematics& kinematics);
 
-  /// Coriolis and centrifugal force (N, N m) at the state of the last update(): what must act for zero
-  /// generalised acceleration, without gravity.
+  /// Coriolis and centrifugal force (N, N m) at the state of the last update(): what must act for
+  /// zero generalised acceleration, without gravity.
   void inertial_force(SpeedVector& force);
 
  private:

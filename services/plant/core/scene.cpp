@@ -37,8 +37,8 @@ Perturbation perturbation(const TrialSpec& trial) {
 
 Wall make_wall(const PlantConfig& config, const TrialSpec& trial) {
   Wall wall;
-  wall.x = -(config.object.start_distance_m + 0.5 * config.object.diameter_m +
-             config.obstacle.gap_m);
+  wall.x =
+      -(config.object.start_distance_m + 0.5 * config.object.diameter_m + config.obstacle.gap_m);
   wall.half_thickness = 0.5 * config.obstacle.thickness_m;
   wall.height = trial.obstacle_height_m;
   return wall;

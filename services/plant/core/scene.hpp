@@ -25,8 +25,8 @@ struct Perturbation {
 /// The stance of the start as joint targets, rad.
 [[nodiscard]] robot::JointVector start_targets(const StartConfig& start);
 
-/// Robot at rest in the start stance, its lowest foot touching the ground, trunk level; object at rest behind
-/// it (towards -x), touching the ground.
+/// Robot at rest in the start stance, its lowest foot touching the ground, trunk level; object at
+/// rest behind it (towards -x), touching the ground.
 [[nodiscard]] MotionState start_state(const Morphology& morphology, const PlantConfig& config,
                                       const Perturbation& perturbation);
 

@@ -11,12 +11,13 @@ struct JointTorque {
   double damping_nm_s_rad = 0;
 };
 
-/// The servo's reference after dt_s: it slews towards `target_rad` at no more than the joint's speed.
+/// The servo's reference after dt_s: it slews towards `target_rad` at no more than the joint's
+/// speed.
 [[nodiscard]] double slew(const robot::Joint& joint, double reference_rad, double target_rad,
                           double dt_s);
 
-/// Position servo, kp (reference - q) - kd u, within +- its torque limit. The spring acts at the end of
-/// the step; a saturated servo gives its limit and no damping.
+/// Position servo, kp (reference - q) - kd u, within +- its torque limit. The spring acts at the
+/// end of the step; a saturated servo gives its limit and no damping.
 [[nodiscard]] JointTorque servo_torque(const robot::Joint& joint, double reference_rad,
                                        double angle_rad, double speed_rad_s, double dt_s);
 

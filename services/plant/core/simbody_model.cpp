@@ -8,18 +8,18 @@ SimTK::Vec3 to_simtk(const Eigen::Vector3d& v) { return {v.x(), v.y(), v.z()}; }
 Eigen::Vector3d to_eigen(const SimTK::Vec3& v) { return {v[0], v[1], v[2]}; }
 
 SimTK::Rotation to_simtk(const Eigen::Matrix3d& R) {
-  return SimTK::Rotation(SimTK::Mat33(R(0, 0), R(0, 1), R(0, 2), R(1, 0), R(1, 1), R(1, 2),
-                                      R(2, 0), R(2, 1), R(2, 2)));
+  return SimTK::Rotation(SimTK::Mat33(R(0, 0), R(0, 1), R(0, 2), R(1, 0), R(1, 1), R(1, 2), R(2, 0),
+                                      R(2, 1), R(2, 2)));
 }
 
 SimTK::Body::Rigid rigid(const BodyMass& mass) {
   const Eigen::Matrix3d about_origin =
-      mass.inertia_kg_m2 + mass.mass_kg * (mass.centre_m.squaredNorm() * Eigen::Matrix3d::Identity() -
-                                           mass.centre_m * mass.centre_m.transpose());
+      mass.inertia_kg_m2 +
+      mass.mass_kg * (mass.centre_m.squaredNorm() * Eigen::Matrix3d::Identity() -
+                      mass.centre_m * mass.centre_m.transpose());
   const SimTK::Inertia inertia(about_origin(0, 0), about_origin(1, 1), about_origin(2, 2),
                                about_origin(0, 1), about_origin(0, 2), about_origin(1, 2));
-  return SimTK::Body::Rigid(
-      SimTK::MassProperties(mass.mass_kg, to_simtk(mass.centre_m), inertia));
+  return SimTK::Body::Rigid(SimTK::MassProperties(mass.mass_kg, to_simtk(mass.centre_m), inertia));
 }
 
 /// Simbody's pin turns about z: a rotation that takes z to `axis`.
@@ -33,8 +33,9 @@ SimbodyModel::SimbodyModel(const Morphology& morphology)
     : matter(system), forces(system), morphology_(morphology) {
   forces.setNumberOfThreads(1);
   matter.setShowDefaultGeometry(false);
-  body[kRearTrunkBody] = SimTK::MobilizedBody::Free(matter.Ground(), rigid(morphology.mass[kRearTrunkBody]))
-                         .getMobilizedBodyIndex();
+  body[kRearTrunkBody] =
+      SimTK::MobilizedBody::Free(matter.Ground(), rigid(morphology.mass[kRearTrunkBody]))
+          .getMobilizedBodyIndex();
   for (std::size_t i = kFrontTrunkBody; i < kObjectBody; ++i) {
     const Mounting& mount = morphology.mounting[i];
     const SimTK::Rotation R_child_pin = pin_frame(mount.axis_in_child);
@@ -45,8 +46,9 @@ SimbodyModel::SimbodyModel(const Morphology& morphology)
                   rigid(morphology.mass[i]), SimTK::Transform(R_child_pin))
                   .getMobilizedBodyIndex();
   }
-  body[kObjectBody] = SimTK::MobilizedBody::Free(matter.Ground(), rigid(morphology.mass[kObjectBody]))
-                      .getMobilizedBodyIndex();
+  body[kObjectBody] =
+      SimTK::MobilizedBody::Free(matter.Ground(), rigid(morphology.mass[kObjectBody]))
+          .getMobilizedBodyIndex();
 }
 
 void SimbodyModel::finish() {
@@ -93,9 +95,7 @@ MotionState SimbodyModel::read(const SimTK::State& state) const {
   const auto turn = [&q](int at) {
     return Eigen::Quaterniond(q[at], q[at + 1], q[at + 2], q[at + 3]).normalized();
   };
-  const auto position = [&q](int at) {
-    return Eigen::Vector3d(q[at + 4], q[at + 5], q[at + 6]);
-  };
+  const auto position = [&q](int at) { return Eigen::Vector3d(q[at + 4], q[at + 5], q[at + 6]); };
   MotionState out;
   out.trunk_orientation = turn(trunk_q_);
   out.trunk_position = position(trunk_q_);
@@ -115,7 +115,8 @@ void SimbodyModel::read_kinematics(const SimTK::State& state, Kinematics& kinema
     const SimTK::SpatialVec& V = mobilised.getBodyVelocity(state);
     BodyMotion& motion = kinematics.body[i];
     for (int row = 0; row < 3; ++row) {
-      for (int column = 0; column < 3; ++column) motion.R_world_body(row, column) = X.R()[row][column];
+      for (int column = 0; column < 3; ++column)
+        motion.R_world_body(row, column) = X.R()[row][column];
     }
     motion.position = to_eigen(X.p());
     motion.angular_velocity = to_eigen(V[0]);
@@ -123,8 +124,8 @@ void SimbodyModel::read_kinematics(const SimTK::State& state, Kinematics& kinema
   }
   for (std::size_t i = kFrontTrunkBody; i < kObjectBody; ++i) {
     const Mounting& mount = morphology_.mounting[i];
-    kinematics.joint[mount.joint_slot] = {
-        kinematics.body[i].R_world_body * mount.axis_in_child, kinematics.body[i].position};
+    kinematics.joint[mount.joint_slot] = {kinematics.body[i].R_world_body * mount.axis_in_child,
+                                          kinematics.body[i].position};
   }
 }
 

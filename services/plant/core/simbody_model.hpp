@@ -9,8 +9,8 @@
 
 namespace scarab::plant {
 
-/// The multibody system itself. Including this header costs seconds of compile time: only robot_tree.cpp
-/// and tests do.
+/// The multibody system itself. Including this header costs seconds of compile time: only
+/// robot_tree.cpp and tests do.
 class SimbodyModel {
  public:
   explicit SimbodyModel(const Morphology& morphology);

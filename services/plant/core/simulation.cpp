@@ -29,9 +29,12 @@ Twist twist(const SpeedVector& speed, std::size_t at) {
 
 ContactTruth contact_truth(const ResolvedContact& resolved) {
   const Contact& contact = resolved.contact;
-  return {contact.a.solid,         contact.a.leg,
-          contact.b.solid,         contact.b.leg,
-          to_array(contact.touch.point), to_array(resolved.force_n),
+  return {contact.a.solid,
+          contact.a.leg,
+          contact.b.solid,
+          contact.b.leg,
+          to_array(contact.touch.point),
+          to_array(resolved.force_n),
           contact.touch.depth};
 }
 

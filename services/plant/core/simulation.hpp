@@ -14,12 +14,13 @@
 
 namespace scarab::plant {
 
-/// One trial's physics: robot, cylinder, obstacle, referee. No clock, no bus, no randomness but of the seed.
+/// One trial's physics: robot, cylinder, obstacle, referee. No clock, no bus, no randomness but of
+/// the seed.
 class Simulation {
  public:
-  /// The robot stands in front of the cylinder at the perturbed start pose of the trial, settled in the
-  /// configured stance (config.start) for config.start.settle_s before t = 0.
-  /// Throws std::invalid_argument naming what is inconsistent.
+  /// The robot stands in front of the cylinder at the perturbed start pose of the trial, settled in
+  /// the configured stance (config.start) for config.start.settle_s before t = 0. Throws
+  /// std::invalid_argument naming what is inconsistent.
   Simulation(const robot::RobotModel& robot, const PlantConfig& config, const TrialSpec& trial);
   ~Simulation();
   Simulation(Simulation&&) noexcept;
@@ -27,14 +28,16 @@ class Simulation {
   Simulation(const Simulation&) = delete;
   Simulation& operator=(const Simulation&) = delete;
 
-  [[nodiscard]] Observation observe() const;  ///< what the robot's sensors read now (adapter: robot_state)
-  [[nodiscard]] WorldTruth truth() const;  ///< ground truth, the referee's verdict (adapter: world_state)
+  [[nodiscard]] Observation observe()
+      const;  ///< what the robot's sensors read now (adapter: robot_state)
+  [[nodiscard]] WorldTruth truth()
+      const;  ///< ground truth, the referee's verdict (adapter: world_state)
   [[nodiscard]] std::int64_t time_ns() const;
 
-  /// Simulates one control tick towards `targets` (rad, joint slots; zero-order hold); calls `sample`, if
-  /// given, after every sensor period inside it, but for the one that ends the tick (that is the next tick's
-  /// robot_state). The referee judges at the end of the tick; its verdict is latched.
-  /// Throws std::runtime_error if the motion is no longer finite.
+  /// Simulates one control tick towards `targets` (rad, joint slots; zero-order hold); calls
+  /// `sample`, if given, after every sensor period inside it, but for the one that ends the tick
+  /// (that is the next tick's robot_state). The referee judges at the end of the tick; its verdict
+  /// is latched. Throws std::runtime_error if the motion is no longer finite.
   void advance(const robot::JointVector& targets, const std::function<void()>& sample);
 
  private:

@@ -125,8 +125,7 @@ void Stepper::step(const robot::JointVector& targets_rad, double dt_s,
   state.speed = speed_;
   resolve();
   for (std::size_t j = 0; j < robot::kJointCount; ++j) {
-    servo_torque_[j] =
-        servo_[j].torque_nm - servo_[j].damping_nm_s_rad * speed_(joint_speed(j));
+    servo_torque_[j] = servo_[j].torque_nm - servo_[j].damping_nm_s_rad * speed_(joint_speed(j));
   }
   integrate_position(state, dt_s);
 }

@@ -21,10 +21,11 @@ struct ResolvedContact {
 ///
 ///   (M + armature + dt D + dt^2 K) du = dt f,   u += du,   q += dt u
 ///
-/// f: gravity, inertial, servo, stop and contact forces at the present positions and at velocities that
-/// include dt K; D, K: damping and stiffness of servos, stops, normal contact, friction (secant slope,
-/// lagged normal force) and rolling resistance, through their Jacobians. Solved by Cholesky; orientations
-/// follow the exponential map. Stable for contact stiffnesses an explicit method would need 20 us for.
+/// f: gravity, inertial, servo, stop and contact forces at the present positions and at velocities
+/// that include dt K; D, K: damping and stiffness of servos, stops, normal contact, friction
+/// (secant slope, lagged normal force) and rolling resistance, through their Jacobians. Solved by
+/// Cholesky; orientations follow the exponential map. Stable for contact stiffnesses an explicit
+/// method would need 20 us for.
 class Stepper {
  public:
   Stepper(const Morphology& morphology, const PlantConfig& config, const Wall& wall);
