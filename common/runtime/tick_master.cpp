@@ -71,7 +71,11 @@ void TickMaster::run() {
       if (!pending_) wait(kIdlePoll);
       if (pending_) run_trial();
     } catch (const Interrupted&) {
-      spdlog::info("trial {} left at tick {}", trial_, tick_);
+      if (status_.lifecycle() == scarab_LIFECYCLE_ACTIVE) {
+        spdlog::warn("trial {} left at tick {}", trial_, tick_);
+        gate_.end_trial();
+        status_.set_lifecycle(scarab_LIFECYCLE_INACTIVE);
+      }
     }
   }
   status_.set_lifecycle(scarab_LIFECYCLE_FINALISED);

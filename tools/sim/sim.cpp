@@ -29,7 +29,9 @@ experiment::Outcome run(const Configuration& configuration, const scarab_Trial& 
   };
   listener.world = [&](const scarab_WorldState& world) {
     watch.see(world);
-    screen.progress(experiment::progress_line(watch.outcome().end));
+    if (world.header.tick > 0) {
+      screen.progress(experiment::progress_line(watch.outcome().end));
+    }
   };
   listener.interrupted = [] { return interrupted.load(); };
   run_trial(configuration, trial, log, listener);
