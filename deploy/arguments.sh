@@ -1,6 +1,7 @@
 # shellcheck shell=bash
 # Checks the options of deploy/demo before anything is installed: with nothing but bash and awk, as on a
 # bare Debian. deploy/launcher/trial_options.py knows the same options; a test holds the two together.
+# shellcheck disable=SC2154  # scarab_root is set by setup.sh
 
 usage_error() {
   printf '%s: %s (see --help)\n' "${0##*/}" "$*" >&2

@@ -24,10 +24,9 @@ class Keeper:
     """Runs in a process of its own; `report` tells the launcher (and the log) what happens."""
 
     def __init__(self, stack: Stack, directory: RunDirectory,
-                 command_of: Callable[[ServiceProcess, int], Command], wait_ready: Sequence[str],
+                 command_of: Callable[[ServiceProcess], Command], wait_ready: Sequence[str],
                  report: Report, signals: Signals):
-        """`command_of(process, n)` is the command line of its n-th start, from 0; `wait_ready` a
-        program that ends with 0 when the whole stack is ready."""
+        """`wait_ready` is a program that ends with 0 when the whole stack is ready."""
         self._stack = stack
         self._directory = directory
         self._command_of = command_of
@@ -58,7 +57,7 @@ class Keeper:
         for child in self._children:
             self._signals.raise_if_stop_requested()
             try:
-                child.start(self._command_of(child.process, 0))
+                child.start(self._command_of(child.process))
             except OSError as error:
                 raise Failure(f"{child.name} cannot be started: {error.strerror}") from None
             self._report({"event": "started", "service": child.name})
@@ -110,7 +109,7 @@ class Keeper:
 
     def _restart(self, child: ServiceChild) -> None:
         try:
-            child.start(self._command_of(child.process, child.back_off.restarts))
+            child.start(self._command_of(child.process))
         except OSError as error:  # such as a program that is being rebuilt at this moment
             child.plan_restart()
             self._report({"event": "unstartable", "service": child.name, "text": error.strerror})

@@ -2,8 +2,7 @@
 
 import os
 from dataclasses import dataclass, replace
-from pathlib import Path
-from typing import Dict, List
+from typing import Callable, Dict, List
 
 from .domain_claim import DomainClaim
 from .failure import Failure
@@ -45,10 +44,10 @@ def launch(places: Places, stack: Stack, claim: DomainClaim, tag: str, kind: Kin
     signals.raise_if_stop_requested()
     bus = Bus(claim.domain, stack.interface, tag)
     directory = create_run_directory(places.runs)
-    attachments = write_configuration(directory, stack, texts, source_version(places.root))
+    write_configuration(directory, stack, texts, source_version(places.root))
     wait_ready = [str(waiter), *bus.arguments(), "--wait", stack.expected(),
                   "--timeout", f"{stack.ready_s:g}"]
-    body = _keeper_body(places, stack, bus, directory, kind, attachments, wait_ready)
+    body = _keeper_body(places, stack, bus, directory, kind, wait_ready)
     patience_s = sum(p.service.stop_s for p in stack.processes()) + _KEEPER_MARGIN_S
     keeper = fork_keeper(body, directory.log_of("launcher"), kind is Kind.RUN, patience_s)
     claim.release()  # the keeper holds it from here on
@@ -58,10 +57,9 @@ def launch(places: Places, stack: Stack, claim: DomainClaim, tag: str, kind: Kin
 
 
 def _keeper_body(places: Places, stack: Stack, bus: Bus, directory: RunDirectory, kind: Kind,
-                 attachments: List[Path], wait_ready: List[str]):
-    def command_of(process: ServiceProcess, starts: int) -> List[str]:
-        output = _recording(directory, process, starts)
-        return service_command(places, stack, bus, directory, process, output, attachments)
+                 wait_ready: List[str]) -> Callable[[Report, Signals], int]:
+    def command_of(process: ServiceProcess) -> List[str]:
+        return service_command(places, stack, bus, directory, process)
 
     def body(report: Report, signals: Signals) -> int:
         running = RunningStack(kind, ProcessIdentity.of(os.getpid()), bus, directory,
@@ -74,12 +72,6 @@ def _keeper_body(places: Places, stack: Stack, bus: Bus, directory: RunDirectory
             forget_stack(places.runs, bus.domain)
 
     return body
-
-
-def _recording(directory: RunDirectory, process: ServiceProcess, starts: int) -> Path:
-    """A restarted logger writes a file of its own beside the one that was cut off."""
-    name = Path(process.service.records or "trial.mcap")
-    return directory.path / (f"{name.stem}-{starts + 1}{name.suffix}" if starts else name)
 
 
 def _wait_until_ready(launched: Launched, signals: Signals) -> None:

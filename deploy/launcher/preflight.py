@@ -3,7 +3,7 @@
 import shutil
 import subprocess
 from pathlib import Path
-from typing import Dict, List
+from typing import Dict
 
 from .failure import Failure, UsageError
 from .places import Places
@@ -28,15 +28,14 @@ def resolved_configuration(places: Places, stack: Stack) -> Dict[str, str]:
 
 
 def write_configuration(directory: RunDirectory, stack: Stack, texts: Dict[str, str],
-                        version: str) -> List[Path]:
-    """Fills `config/` of the run directory; returns its files."""
+                        version: str) -> None:
+    """Fills `config/` of the run directory, which the logger attaches to its log."""
     for name, text in texts.items():
         (directory.config / name).write_text(text)
     shutil.copyfile(stack.file, directory.config / "stack.yaml")
     for robot in {s.robot for s in stack.services if s.robot}:
         shutil.copyfile(robot, directory.config / f"robot-{robot.name}")
     (directory.config / "version.txt").write_text(version + "\n")
-    return sorted(directory.config.iterdir())
 
 
 def source_version(root: Path) -> str:

@@ -86,7 +86,7 @@ def _make_next(runs: Path, today: str) -> Path:
 
 
 def _point_latest_to(runs: Path, path: Path) -> None:
-    temporary = runs / f".latest-{os.getpid()}"
+    temporary = runs / f".latest-{path.name}"  # the name is ours alone
     temporary.unlink(missing_ok=True)
     temporary.symlink_to(path.name)
     os.replace(temporary, runs / "latest")

@@ -1,7 +1,6 @@
 """The command line of a service, one for all of them."""
 
-from pathlib import Path
-from typing import List, Sequence
+from typing import List
 
 from .places import Places
 from .run_directory import RunDirectory
@@ -19,13 +18,7 @@ def configuration_arguments(process: ServiceProcess) -> List[str]:
 
 
 def service_command(places: Places, stack: Stack, bus: Bus, directory: RunDirectory,
-                    process: ServiceProcess, output: Path, attachments: Sequence[Path]) -> List[str]:
-    """`output` is where a service that records writes; `attachments` go into its log."""
-    command = [str(places.program(process.service.binary)), *configuration_arguments(process),
-               "--run-dir", str(directory.path), "--instance", str(process.instance),
-               *bus.arguments(), "--expect", stack.expected(), "--log-level", stack.log_level]
-    if process.service.records:
-        command += ["--output", str(output)]
-        for file in attachments:
-            command += ["--attach", str(file)]
-    return command
+                    process: ServiceProcess) -> List[str]:
+    return [str(places.program(process.service.binary)), *configuration_arguments(process),
+            "--run-dir", str(directory.path), "--instance", str(process.instance),
+            *bus.arguments(), "--expect", stack.expected(), "--log-level", stack.log_level]

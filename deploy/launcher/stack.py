@@ -25,7 +25,6 @@ class Service:
     stop_s: float
     robot: Optional[Path] = None
     config: Optional[Path] = None
-    records: Optional[str] = None
 
     def processes(self) -> Tuple["ServiceProcess", ...]:
         return tuple(ServiceProcess(self, i) for i in range(self.instances))

@@ -51,7 +51,7 @@ def _read_services(value: Value, root: Path) -> Dict[str, Service]:
 
 def _read_service(name: str, value: Value, root: Path) -> Service:
     fields = value.fields(["binary", "instances", "restart", "stop_s"],
-                          ["robot", "config", "records"])
+                          ["robot", "config"])
     binary = fields["binary"].text()
     if "/" in binary:
         fields["binary"].fail(f"'{binary}' is a path; expected the name of a program in build/*/bin")
@@ -63,7 +63,6 @@ def _read_service(name: str, value: Value, root: Path) -> Service:
         stop_s=fields["stop_s"].number(0.1, 600.0),
         robot=_path(fields.get("robot"), root),
         config=_path(fields.get("config"), root),
-        records=fields["records"].text() if "records" in fields else None,
     )
 
 

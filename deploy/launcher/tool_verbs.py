@@ -40,10 +40,12 @@ def _configuration(stack: Stack) -> List[str]:
     arguments: List[str] = []
     for name in _SIMULATED:
         service = stack.service(name)
-        if service is None or service.config is None or service.robot is None:
-            raise UsageError(f"{stack.file}: `scarab sim` needs robot and config of '{name}'")
+        if service is None or service.config is None:
+            raise UsageError(f"{stack.file}: `scarab sim` needs the config of service '{name}'")
         arguments += [f"--{name}", str(service.config)]
-    return ["--robot", str(stack.service("plant").robot), *arguments]
+        if service.robot and "--robot" not in arguments:
+            arguments += ["--robot", str(service.robot)]
+    return arguments
 
 
 def _become(command: List[str]) -> NoReturn:

@@ -43,6 +43,13 @@ def up_file(service):
     return FOLDER / f"up.{value_of('--domain', '0')}.{service}"
 
 
+def free_name(folder):
+    """As the logger: a file that an earlier one left is not touched."""
+    names = ["trial.mcap", "trial-2.mcap", "trial-3.mcap"]
+    taken = [name for name in names if list(folder.glob(f"{name}*"))]
+    return folder / names[len(taken)]
+
+
 def serve():
     stopped = []
     for number in (signal.SIGTERM, signal.SIGINT):
@@ -54,7 +61,7 @@ def serve():
     if order("die-at-start"):
         print("cannot open the device", file=sys.stderr)
         return 1
-    output = Path(value_of("--output")) if "--output" in sys.argv else None
+    output = free_name(Path(value_of("--run-dir"))) if NAME == "scarab-logger" else None
     active = output.with_name(output.name + ".active") if output else None
     if active:
         active.write_text("log\n")

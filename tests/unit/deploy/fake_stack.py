@@ -24,7 +24,7 @@ log_level: info
 timing: {ready_s: 20}
 restart: {first_s: 0.01, longest_s: 0.05, forget_s: 30}
 services:
-  logger: {binary: scarab-logger, instances: 1, restart: always, stop_s: 1, records: trial.mcap}
+  logger: {binary: scarab-logger, instances: 1, restart: always, stop_s: 1}
   plant: {binary: scarab-plant, instances: 1, restart: between_trials, stop_s: 1}
   premotor: {binary: scarab-premotor, instances: 1, restart: always, stop_s: 1}
 profiles:

@@ -41,9 +41,7 @@ class Run(FakeStackTest):
         self.assertNotIn("CYCLONEDDS_URI", environment)
         command = (self.bin / "scarab-logger.command").read_text().splitlines()
         self.assertEqual(command[command.index("--expect") + 1], "logger=1,plant=1,premotor=1")
-        self.assertEqual(command[command.index("--output") + 1],
-                         str(self.run_directory() / "trial.mcap"))
-        self.assertIn(str(self.run_directory() / "config" / "plant.yaml"), command)
+        self.assertEqual(command[command.index("--run-dir") + 1], str(self.run_directory()))
 
     def test_failed_trial_is_the_exit_code(self):
         self.order("scarab-experiment", "exit-code", "1")
