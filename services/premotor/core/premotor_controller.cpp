@@ -9,6 +9,7 @@ namespace scarab::premotor {
 namespace {
 
 constexpr double kTwoPi = 6.283185307179586476925;
+constexpr std::uint64_t kStartPhase = random::stream("cpg start phase");
 
 void require_finite(const PremotorConfig& config) {
   for (const double output : config.network.cpg.start_output) {
@@ -34,8 +35,7 @@ PremotorController::PremotorController(const PremotorConfig& config, const robot
 }
 
 NetworkState PremotorController::initial_state(std::uint64_t seed, bool random_phase) const {
-  constexpr std::uint64_t kStream = random::stream("cpg start phase");
-  const double phase_rad = random_phase ? kTwoPi * random::uniform(seed, kStream, 0) : 0;
+  const double phase_rad = random_phase ? kTwoPi * random::uniform(seed, kStartPhase, 0) : 0;
   const auto [c1, c2] = cpg_.start_output;
   NetworkState state;
   state.input = start_.warmup_inputs;

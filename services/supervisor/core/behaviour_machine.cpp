@@ -4,6 +4,7 @@
 #include <cmath>
 #include <cstdio>
 #include <stdexcept>
+#include <utility>
 
 namespace scarab::supervisor {
 namespace {
@@ -54,11 +55,12 @@ bool is_final(State state) { return state == State::kDone || state == State::kFa
 
 }  // namespace
 
-BehaviourMachine::BehaviourMachine(const SupervisorConfig& config, const Strategy& strategy)
-    : config_(config), strategy_(strategy) {
+BehaviourMachine::BehaviourMachine(SupervisorConfig config, Strategy strategy)
+    : config_(std::move(config)), strategy_(std::move(strategy)) {
   check(config_, strategy_);
 }
 
+// NOLINTNEXTLINE(readability-convert-member-functions-to-static): of this machine, like step()
 MachineState BehaviourMachine::initial_state() const {
   MachineState machine;
   enter(machine, State::kIdle, 0, "before the first tick");

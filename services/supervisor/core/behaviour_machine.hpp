@@ -54,7 +54,7 @@ class BehaviourMachine {
  public:
   /// Throws std::invalid_argument, naming the value, for parameters outside the ranges given in
   /// supervisor_config.hpp.
-  BehaviourMachine(const SupervisorConfig& config, const Strategy& strategy);
+  BehaviourMachine(SupervisorConfig config, Strategy strategy);
 
   [[nodiscard]] MachineState initial_state() const;
 
