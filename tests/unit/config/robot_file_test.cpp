@@ -3,12 +3,12 @@
 #include <gtest/gtest.h>
 
 #include <fstream>
-#include <regex>
 #include <sstream>
 #include <stdexcept>
 #include <string>
 
 #include "common/config/error.hpp"
+#include "tests/unit/config/error_line.hpp"
 
 namespace scarab::config {
 namespace {
@@ -37,10 +37,8 @@ std::string error_of(const std::string& text) {
   try {
     (void)load_robot_text("r.yaml", text);
   } catch (const Error& error) {
-    const std::string what = error.what();
-    std::smatch parts;
-    const std::regex form("r\\.yaml:[1-9][0-9]*:[1-9][0-9]*: (.*)");
-    return std::regex_match(what, parts, form) ? parts[1].str() : "malformed: " + what;
+    return key_and_reason(error.what(), "r.yaml")
+        .value_or("malformed: " + std::string(error.what()));
   }
   return "no error";
 }
