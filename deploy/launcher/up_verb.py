@@ -45,5 +45,5 @@ def down(options: argparse.Namespace, places: Places) -> int:
         killed = end_leftovers(stack.directory)
         forget_stack(places.runs, stack.bus.domain)
         raise Failure(f"killed: {', '.join(killed) or 'the keeper'}")
-    print(f"stopped; the log is {shown(stack.directory.path / 'trial.mcap')}")
+    print(f"stopped; its run directory is {shown(stack.directory.path)}")
     return EXIT_OK
