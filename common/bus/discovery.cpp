@@ -1,9 +1,11 @@
 #include "common/bus/discovery.hpp"
 
 #include <algorithm>
+#include <string_view>
 
-#include "common/bus/endpoint.hpp"
 #include "common/bus/known_types.hpp"
+#include "common/bus/loan.hpp"
+#include "common/bus/qos.hpp"
 
 namespace scarab::bus {
 
@@ -20,6 +22,9 @@ Guid guid_of(const dds_guid_t& from) {
   return out;
 }
 
+/// DDS's own topics, on which discovery itself has readers.
+bool is_builtin(std::string_view topic) { return topic.substr(0, 4) == "DCPS"; }
+
 DiscoveredEndpoint discovered(EndpointKind kind, const dds_builtintopic_endpoint_t& from,
                               dds_instance_handle_t handle) {
   Qos qos(dds_create_qos());
@@ -34,33 +39,14 @@ DiscoveredEndpoint discovered(EndpointKind kind, const dds_builtintopic_endpoint
           handle};
 }
 
-/// One announcement, read again and lent by Cyclone for as long as this lives.
-class Announcement {
- public:
-  Announcement(dds_entity_t reader, dds_instance_handle_t handle) : reader_(reader) {
-    count_ = dds_read_instance(reader, &sample_, &info_, 1, 1, handle);
-  }
-  Announcement(const Announcement&) = delete;
-  Announcement& operator=(const Announcement&) = delete;
-  ~Announcement() {
-    if (count_ > 0) dds_return_loan(reader_, &sample_, count_);
-  }
-
-  /// Null: the endpoint has gone, or sends no type information.
-  const dds_typeinfo_t* type_information() const {
-    const dds_typeinfo_t* information = nullptr;
-    if (count_ <= 0 || !info_.valid_data) return nullptr;
-    auto* endpoint = static_cast<dds_builtintopic_endpoint_t*>(sample_);
-    const dds_return_t code = dds_builtintopic_get_endpoint_type_info(endpoint, &information);
-    return code == DDS_RETCODE_OK ? information : nullptr;
-  }
-
- private:
-  dds_entity_t reader_;
-  void* sample_ = nullptr;
-  dds_sample_info_t info_{};
-  int count_ = 0;
-};
+/// Null: the endpoint has gone, or sends no type information. Valid as long as the loan.
+const dds_typeinfo_t* type_information(const Loan& announcement) {
+  const dds_typeinfo_t* information = nullptr;
+  if (announcement.size() == 0 || !announcement.info(0).valid_data) return nullptr;
+  auto* endpoint = static_cast<dds_builtintopic_endpoint_t*>(announcement.sample(0));
+  const dds_return_t code = dds_builtintopic_get_endpoint_type_info(endpoint, &information);
+  return code == DDS_RETCODE_OK ? information : nullptr;
+}
 
 }  // namespace
 
@@ -94,7 +80,7 @@ void Discovery::take(const Source& source, std::vector<DiscoveredEndpoint>& fres
       const dds_sample_info_t& info = loan.info(i);
       if (info.instance_state != DDS_ALIVE_INSTANCE_STATE) {
         endpoints_.erase(guid_of(endpoint.key));
-      } else if (info.valid_data) {
+      } else if (info.valid_data && !is_builtin(endpoint.topic_name)) {
         auto found = discovered(source.kind, endpoint, info.instance_handle);
         const bool is_new = endpoints_.insert_or_assign(found.guid, found).second;
         if (is_new) fresh.push_back(std::move(found));
@@ -115,20 +101,17 @@ std::vector<DiscoveredEndpoint> Discovery::endpoints() const {
 
 TopicType Discovery::type_of(const DiscoveredEndpoint& endpoint, std::chrono::nanoseconds timeout) {
   const Source& source = endpoint.kind == EndpointKind::kWriter ? writers_ : readers_;
-  const Announcement announcement(source.reader.handle(), endpoint.handle);
-  const dds_typeinfo_t* information = announcement.type_information();
+  const Loan announcement =
+      Loan::read_instance(source.reader.handle(), endpoint.handle, "discovery");
+  const dds_typeinfo_t* information = type_information(announcement);
   if (information != nullptr) {
     dds_topic_descriptor_t* descriptor = nullptr;
     const dds_return_t code = dds_create_topic_descriptor(
         DDS_FIND_SCOPE_GLOBAL, participant_.handle(), information, timeout.count(), &descriptor);
-    if (code == DDS_RETCODE_OK) {
-      return {descriptor, [](const dds_topic_descriptor_t* made) {
-                dds_delete_topic_descriptor(const_cast<dds_topic_descriptor_t*>(made));
-              }};
-    }
+    if (code == DDS_RETCODE_OK) return own_discovered(descriptor);
   }
   const dds_topic_descriptor_t* known = find_known_type(endpoint.type);
-  if (known != nullptr) return {known, [](const dds_topic_descriptor_t*) {}};
+  if (known != nullptr) return borrow_compiled(*known);
   throw Error("type " + endpoint.type + " of " + endpoint.topic + ": " +
               (information == nullptr
                    ? "its writer sends no type information, and it is none of Scarab's own"

@@ -10,6 +10,7 @@
 
 #include "common/bus/entity.hpp"
 #include "common/bus/participant.hpp"
+#include "common/bus/topic_type.hpp"
 
 namespace scarab::bus {
 
@@ -29,9 +30,6 @@ struct DiscoveredEndpoint {
   std::shared_ptr<const dds_qos_t> qos;
   dds_instance_handle_t handle = 0;  ///< what Cyclone calls it here
 };
-
-/// A topic type that is known at run time only.
-using TopicType = std::shared_ptr<const dds_topic_descriptor_t>;
 
 /// Watches which endpoints there are in the domain, those of this process included.
 class Discovery {

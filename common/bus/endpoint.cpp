@@ -124,19 +124,4 @@ std::vector<std::string> ReaderEndpoint::faults() const {
   return out;
 }
 
-Loan::Loan(Access access, dds_entity_t from, const std::string& name) : from_(from) {
-  size_ =
-      static_cast<std::size_t>(check(access(from, samples_, infos_, kCapacity, kCapacity), name));
-}
-
-Loan Loan::take(dds_entity_t reader, const std::string& name) { return {dds_take, reader, name}; }
-
-Loan Loan::read(dds_entity_t condition, const std::string& name) {
-  return {dds_read, condition, name};
-}
-
-Loan::~Loan() {
-  if (size_ > 0) dds_return_loan(from_, samples_, static_cast<std::int32_t>(size_));
-}
-
 }  // namespace scarab::bus

@@ -72,32 +72,4 @@ class ReaderEndpoint : public Endpoint {
   Entity condition_;
 };
 
-/// Up to kCapacity samples lent by Cyclone and returned with this object.
-class Loan {
- public:
-  static constexpr std::size_t kCapacity = 64;
-
-  /// Takes from a reader; `name` begins the message of an Error.
-  static Loan take(dds_entity_t reader, const std::string& name);
-  /// Reads, and leaves with the reader, what matches a read condition.
-  static Loan read(dds_entity_t condition, const std::string& name);
-  Loan(const Loan&) = delete;
-  Loan& operator=(const Loan&) = delete;
-  ~Loan();
-
-  std::size_t size() const { return size_; }
-  const void* sample(std::size_t i) const { return samples_[i]; }
-  const dds_sample_info_t& info(std::size_t i) const { return infos_[i]; }
-
- private:
-  using Access = dds_return_t (*)(dds_entity_t, void**, dds_sample_info_t*, std::size_t,
-                                  std::uint32_t);
-  Loan(Access access, dds_entity_t from, const std::string& name);
-
-  dds_entity_t from_;
-  std::size_t size_ = 0;
-  void* samples_[kCapacity] = {};
-  dds_sample_info_t infos_[kCapacity] = {};
-};
-
 }  // namespace scarab::bus

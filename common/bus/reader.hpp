@@ -4,6 +4,7 @@
 #include <cstdint>
 
 #include "common/bus/endpoint.hpp"
+#include "common/bus/loan.hpp"
 #include "common/bus/topic.hpp"
 
 namespace scarab::bus {
