@@ -1,6 +1,7 @@
 # shellcheck shell=bash
 # Functions of deploy/demo and deploy/test: install what is missing, build quietly. To be sourced.
 
+set -o pipefail
 scarab_root=$(cd "$(dirname "${BASH_SOURCE[0]}")/.." && pwd)
 setup_log=$scarab_root/build/setup.log
 build_log=$scarab_root/build/build.log
@@ -45,7 +46,7 @@ install_packages() {
   fi
   echo "installing ${#missing[@]} packages: ${missing[*]}"
   mkdir -p "$scarab_root/build"
-  run_apt "${missing[@]}" >"$setup_log" 2>&1 || {
+  run_apt "${missing[@]}" 2>&1 | tee "$setup_log" | show_progress || {
     tail -n 20 "$setup_log" >&2
     fail "apt-get failed; the whole log is $setup_log. Please run $by_hand"
   }
@@ -67,8 +68,8 @@ build_release() {
   mkdir -p "$scarab_root/build"
   cd "$scarab_root" || exit 1
   : >"$build_log"
+  [ -t 1 ] || echo "building; log: $build_log"
   cmake --preset release "$@" >>"$build_log" 2>&1 || build_failed "configuring"
-  set -o pipefail
   NINJA_STATUS='[%f/%t] ' cmake --build --preset release 2>&1 | tee -a "$build_log" | show_progress ||
     build_failed "building"
   echo "built: build/release/bin"
@@ -80,15 +81,16 @@ build_failed() {
   fail "$1 failed; the whole log is $build_log"
 }
 
-# show_progress: of ninja's lines on standard input, the count on one line of the terminal.
+# show_progress: how far ninja or apt-get has come, read from standard input, on one line of the terminal.
 show_progress() {
   local line count
-  [ -t 1 ] || { echo "building; log: $build_log"; cat >/dev/null; return; }
+  [ -t 1 ] || { cat >/dev/null; return; }
   while IFS= read -r line; do
     case $line in
       \[*/*\]*)
         count=${line%%]*}
-        printf '\rbuilding %s ' "${count#[}" ;;
+        printf '\r\033[Kbuilding %s ' "${count#[}" ;;
+      Get:* | "Unpacking "* | "Setting up "*) printf '\r\033[K%.70s ' "$line" ;;
     esac
   done
   printf '\r\033[K'
