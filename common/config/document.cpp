@@ -139,6 +139,15 @@ class ValueBuilder : public YAML::EventHandler {
   Value root_;
 };
 
+/// YAML forbids tabs in indentation, but the parser's message then speaks of something else.
+std::string tab_hint(const std::string& text, int line) {
+  std::istringstream lines(text);
+  std::string at;
+  for (int i = 0; i < line; ++i) std::getline(lines, at);
+  const bool tab = at.find('\t') < at.find_first_not_of(" \t");
+  return tab ? "; the line is indented with a tab, use spaces" : "";
+}
+
 std::string read_all(const std::filesystem::path& path) {
   std::error_code ignored;
   if (std::filesystem::is_directory(path, ignored)) {
@@ -166,8 +175,8 @@ Document parse_text(std::string_view file, const std::string& text) {
       }
     }
   } catch (const YAML::Exception& error) {
-    throw Error(file, error.mark.is_null() ? Position{} : position_of(error.mark), "(syntax)",
-                error.msg);
+    const Position at = error.mark.is_null() ? Position{} : position_of(error.mark);
+    throw Error(file, at, "(syntax)", error.msg + tab_hint(text, at.line));
   }
   return {std::string(file), builder.take_root()};
 }

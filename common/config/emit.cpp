@@ -71,9 +71,12 @@ std::string on_one_line(const Value& value) {
 
 void emit_block(const Value& value, std::size_t indent, std::string& out);
 
-/// What stands after `key:` or `-`.
-void emit_item(const Value& item, std::size_t indent, std::string& out) {
-  if (!is_nested(item) || is_flat_list(item)) {
+bool fits_one_line(const Value& value) { return !is_nested(value) || is_flat_list(value); }
+
+void emit_map_item(const std::string& key, const Value& item, std::size_t indent,
+                   std::string& out) {
+  out += std::string(indent, ' ') + (needs_no_quotes(key) ? key : in_double_quotes(key)) + ":";
+  if (fits_one_line(item)) {
     out += " " + on_one_line(item) + "\n";
   } else {
     out += "\n";
@@ -81,23 +84,31 @@ void emit_item(const Value& item, std::size_t indent, std::string& out) {
   }
 }
 
+/// A nested item begins on the line of its dash.
+void emit_list_item(const Value& item, std::size_t indent, std::string& out) {
+  const std::size_t begin = out.size();
+  if (fits_one_line(item)) {
+    out += std::string(indent + 2, ' ') + on_one_line(item) + "\n";
+  } else {
+    emit_block(item, indent + 2, out);
+  }
+  out[begin + indent] = '-';
+}
+
 void emit_block(const Value& value, std::size_t indent, std::string& out) {
   for (std::size_t i = 0; i < value.items.size(); ++i) {
-    out += std::string(indent, ' ');
     if (value.kind == Kind::kMap) {
-      const std::string& key = value.keys[i].text;
-      out += (needs_no_quotes(key) ? key : in_double_quotes(key)) + ":";
+      emit_map_item(value.keys[i].text, value.items[i], indent, out);
     } else {
-      out += "-";
+      emit_list_item(value.items[i], indent, out);
     }
-    emit_item(value.items[i], indent, out);
   }
 }
 
 }  // namespace
 
 std::string emit(const Value& value) {
-  if (!is_nested(value) || is_flat_list(value)) return on_one_line(value) + "\n";
+  if (fits_one_line(value)) return on_one_line(value) + "\n";
   std::string out;
   emit_block(value, 0, out);
   return out;

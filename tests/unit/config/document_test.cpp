@@ -40,6 +40,17 @@ TEST(Document, OfNothingIsNothing) {
   EXPECT_EQ(parse_text("x.yaml", "# only a comment\n").root.kind, Value::Kind::kNothing);
 }
 
+TEST(Document, TakesFilesFromOtherEditors) {
+  const Document document = parse_text("x.yaml",
+                                       "\xef\xbb\xbf"
+                                       "a: 1\r\nb: [2,\r\n 3]\r\n");
+  ASSERT_EQ(document.root.keys.size(), 2U);
+  EXPECT_EQ(document.root.keys[0].text, "a");
+  EXPECT_EQ(document.root.items[0].text, "1");
+  EXPECT_EQ(document.root.keys[1].position.line, 2);
+  EXPECT_EQ(document.root.items[1].items.size(), 2U);
+}
+
 TEST(Document, RefusesASecondDocument) {
   EXPECT_EQ(error_of("a: 1\n---\nb: 2\n"),
             "x.yaml:1:1: (syntax): more than one document in the file");

@@ -28,8 +28,7 @@ parts:
     present: false
 tail: absent
 spares:
-  -
-    length_m: 0.1
+  - length_m: 0.1
     present: true
 trim: 0.25
 )");
@@ -45,6 +44,12 @@ TEST(Dump, ReadsBackToTheSameDump) {
   EXPECT_EQ(again.frequency_hz, gait.frequency_hz);
   EXPECT_EQ(again.tail->length_m, 1.0 / 3.0);
   EXPECT_EQ(config::dump(again), config::dump(gait));
+}
+
+TEST(Dump, KeepsNestedLists) {
+  using Table = std::map<std::string, std::vector<std::vector<std::vector<double>>>>;
+  const Table table = {{"a", {{{1, 2}, {}}, {}, {{0.5}}}}, {"b", {}}};
+  EXPECT_EQ(config::load_text<Table>("dump", config::dump(table)), table);
 }
 
 TEST(Dump, KeepsTextAsItIs) {

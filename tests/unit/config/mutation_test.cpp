@@ -1,5 +1,6 @@
 #include <gtest/gtest.h>
 
+#include <filesystem>
 #include <fstream>
 #include <sstream>
 #include <string>
@@ -94,6 +95,21 @@ TEST(Mutation, OfTheRobotFileLoadsOrIsRefused) {
       survive(original, [](const std::string& text) { (void)load_robot_text("m.yaml", text); });
   EXPECT_GT(loaded, 100) << "most of a file is comments";
   EXPECT_GT(refused, 1000);
+}
+
+TEST(Mutation, OfEveryShippedFileParsesOrIsRefused) {
+  int files = 0;
+  for (const auto& entry :
+       std::filesystem::recursive_directory_iterator(SCARAB_SOURCE_DIR "/config")) {
+    if (entry.path().extension() != ".yaml") continue;
+    ++files;
+    const auto [parsed, refused] =
+        survive(read_file(entry.path().string()),
+                [](const std::string& text) { (void)parse_text("m.yaml", text); });
+    EXPECT_GT(parsed, 100) << entry.path();
+    EXPECT_GT(refused, 100) << entry.path();
+  }
+  EXPECT_GE(files, 4);
 }
 
 TEST(Mutation, OfEveryKindOfMemberLoadsOrIsRefusedAndDumps) {
