@@ -24,7 +24,7 @@ struct TrialOptions {
 };
 
 /// Adds --strategy, --height, --goal, --distance, --time-limit, --seed, --trials,
-/// --no-perturbation, with their ranges.
+/// --no-perturbation, with their ranges; options that contradict each other are a parse error.
 void add_trial_options(CLI::App& app, TrialOptions& options);
 
 /// Trial `index` (from 0) of the series as number `number` of the run; header.stamp_ns is the

@@ -1,0 +1,42 @@
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "tests/support/child_process.hpp"
+
+namespace scarab::test {
+
+using Arguments = std::vector<std::string>;
+
+/// A file of the source tree, such as `config/robot/beetle.yaml`.
+std::filesystem::path source_file(const std::string& relative);
+/// The path of a program of this build, such as `scarab-plant`.
+std::string program(const std::string& name);
+
+/// The files of a service as the project ships them: --robot and --config.
+Arguments shipped_files(const std::string& service);
+
+/// How a service of the running test is started.
+struct ServiceLaunch {
+  std::string name;    ///< plant, supervisor, premotor, logger
+  std::string expect;  ///< such as plant=1,supervisor=1
+  std::filesystem::path run_dir;
+  std::uint32_t instance = 0;
+  Arguments more;
+};
+
+/// Starts it with the shipped files on the test's tag; its output goes to `<run_dir>/<name>-<i>.*`.
+ChildProcess start(const ServiceLaunch& launch);
+
+/// Runs a program to its end; throws std::runtime_error if it takes longer than `limit`.
+struct Finished {
+  int exit_code;
+  std::string out;
+  std::string err;
+};
+Finished run(const Arguments& command, std::chrono::milliseconds limit = std::chrono::seconds(30));
+
+}  // namespace scarab::test

@@ -1,0 +1,96 @@
+#include "common/runtime/operator_desk.hpp"
+
+#include <gtest/gtest.h>
+
+#include "common/bus/sample_fields.hpp"
+#include "common/bus/waitset.hpp"
+#include "common/bus/writer.hpp"
+#include "tests/support/eventually.hpp"
+#include "tests/support/test_bus.hpp"
+
+namespace scarab::runtime {
+namespace {
+
+class OperatorDeskTest : public testing::Test {
+ protected:
+  OperatorDeskTest() {
+    wait_set_.attach(desk_.reader());
+    EXPECT_TRUE(test::eventually(
+        [&] { return !writer_.matched().empty() && !desk_.reader().matched().empty(); }));
+  }
+
+  OperatorDesk::Requests say(scarab_OperatorCommand command, const std::string& reason = "") {
+    scarab_Operator said{};
+    said.command = command;
+    bus::assign(said.reason, reason);
+    writer_.write(said);
+    EXPECT_TRUE(wait_set_.wait(test::kPatience));
+    return desk_.update();
+  }
+
+  bus::Participant person_{test::test_options("operator")};
+  bus::Participant plant_{test::test_options("plant")};
+  bus::Writer<scarab_Operator> writer_{person_, bus::kOperator};
+  bus::WaitSet wait_set_{plant_};
+  OperatorDesk desk_{plant_};
+};
+
+TEST_F(OperatorDeskTest, RunsUntilToldOtherwise) {
+  EXPECT_FALSE(desk_.paused());
+  const auto requests = desk_.update();
+  EXPECT_FALSE(requests.stop || requests.emergency_stop || requests.reset);
+}
+
+TEST_F(OperatorDeskTest, PauseHoldsUntilStart) {
+  say(scarab_OPERATOR_PAUSE);
+  EXPECT_TRUE(desk_.paused());
+  desk_.update();
+  EXPECT_TRUE(desk_.paused());
+  say(scarab_OPERATOR_START);
+  EXPECT_FALSE(desk_.paused());
+}
+
+TEST_F(OperatorDeskTest, EachStepLetsOneTickThrough) {
+  say(scarab_OPERATOR_PAUSE);
+  say(scarab_OPERATOR_STEP);
+  say(scarab_OPERATOR_STEP);
+  EXPECT_FALSE(desk_.paused());
+  desk_.tick_started();
+  EXPECT_FALSE(desk_.paused());
+  desk_.tick_started();
+  EXPECT_TRUE(desk_.paused());
+}
+
+TEST_F(OperatorDeskTest, StepInAMovingTrialPausesAfterOneTick) {
+  say(scarab_OPERATOR_STEP);
+  EXPECT_FALSE(desk_.paused());
+  desk_.tick_started();
+  EXPECT_TRUE(desk_.paused());
+}
+
+TEST_F(OperatorDeskTest, StartForgetsStepsThatAreLeft) {
+  say(scarab_OPERATOR_STEP);
+  say(scarab_OPERATOR_STEP);
+  say(scarab_OPERATOR_START);
+  desk_.tick_started();
+  desk_.tick_started();
+  EXPECT_FALSE(desk_.paused());
+}
+
+TEST_F(OperatorDeskTest, ANewTrialIsNotPaused) {
+  say(scarab_OPERATOR_PAUSE);
+  desk_.begin_trial();
+  EXPECT_FALSE(desk_.paused());
+}
+
+TEST_F(OperatorDeskTest, StopsAreToldOnceWithTheirReason) {
+  EXPECT_EQ(say(scarab_OPERATOR_STOP, "lunch").stop, "operator stop: lunch");
+  EXPECT_FALSE(desk_.update().stop);
+  EXPECT_EQ(say(scarab_OPERATOR_EMERGENCY_STOP).emergency_stop,
+            "operator emergency stop: no reason given");
+  EXPECT_TRUE(say(scarab_OPERATOR_RESET).reset);
+  EXPECT_FALSE(desk_.update().reset);
+}
+
+}  // namespace
+}  // namespace scarab::runtime
