@@ -90,10 +90,11 @@ double deepest(const Cylinder& cylinder, const Vector3d& a, const Vector3d& b) {
 }
 
 /// Place on the segment that is nearest to the wall, whose profile is a half strip. The distance is
-/// convex and piecewise: its minimum lies at an end, nearest to an upper edge, or at a border.
+/// convex and piecewise: its minimum lies at an end, nearest to an upper edge, at a border
+/// of the profile or in its middle.
 double deepest(const Wall& wall, const Vector3d& a, const Vector3d& b) {
   const Vector3d along = b - a;
-  std::array<double, 7> candidates{0, 1, 0, 0, 0, 0, 0};
+  std::array<double, 8> candidates{0, 1};
   std::size_t count = 2;
   const auto consider = [&](double numerator, double denominator) {
     if (std::abs(denominator) > kTiny) candidates[count++] = clamp01(numerator / denominator);
@@ -104,6 +105,7 @@ double deepest(const Wall& wall, const Vector3d& a, const Vector3d& b) {
     consider((edge - a.x()) * along.x() + (wall.height - a.z()) * along.z(), square);
     consider(edge - a.x(), along.x());
   }
+  consider(wall.x - a.x(), along.x());
   consider(wall.height - a.z(), along.z());
   double best = 0;
   double smallest = signed_distance(wall, a);

@@ -87,14 +87,8 @@ class Simulation::Impl {
 
   void advance(const robot::JointVector& targets, const std::function<void()>& sample) {
     for (std::int64_t i = 0; i < timing_.samples_per_tick; ++i) {
-      for (std::int64_t k = 0; k < timing_.steps_per_sample; ++k) {
-        stepper_.step(targets, step_s_, reference_, state_);
-      }
+      for (std::int64_t k = 0; k < timing_.steps_per_sample; ++k) step(targets);
       time_ns_ += timing_.sensor_period_ns;
-      if (!state_.speed.allFinite()) {
-        throw std::runtime_error("the plant's motion is no longer finite at " +
-                                 std::to_string(time_ns_) + " ns");
-      }
       if (sample && i + 1 < timing_.samples_per_tick) sample();
     }
     if (ruling_.verdict == Verdict::kOpen) {
@@ -109,7 +103,15 @@ class Simulation::Impl {
     const robot::JointVector targets = start_targets(config_.start);
     const auto steps = std::max<std::int64_t>(
         1, std::llround(config_.start.settle_s * 1e9 / static_cast<double>(timing_.step_ns)));
-    for (std::int64_t i = 0; i < steps; ++i) stepper_.step(targets, step_s_, reference_, state_);
+    for (std::int64_t i = 0; i < steps; ++i) step(targets);
+  }
+
+  void step(const robot::JointVector& targets) {
+    stepper_.step(targets, step_s_, reference_, state_);
+    if (!state_.speed.allFinite()) {
+      throw std::runtime_error("the plant's motion is no longer finite after " +
+                               std::to_string(time_ns_) + " ns");
+    }
   }
 
   PlantConfig config_;
