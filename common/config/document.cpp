@@ -6,10 +6,10 @@
 #include <yaml-cpp/parser.h>
 
 #include <cerrno>
-#include <cstring>
 #include <fstream>
 #include <optional>
 #include <sstream>
+#include <system_error>
 #include <utility>
 
 #include "common/config/key_path.hpp"
@@ -27,7 +27,7 @@ class ValueBuilder : public YAML::EventHandler {
 
   [[nodiscard]] Value take_root() { return std::move(root_); }
 
-  void OnDocumentStart(const YAML::Mark&) override {}
+  void OnDocumentStart(const YAML::Mark& /*mark*/) override {}
   void OnDocumentEnd() override {}
 
   void OnNull(const YAML::Mark& mark, YAML::anchor_t anchor) override {
@@ -39,7 +39,7 @@ class ValueBuilder : public YAML::EventHandler {
     add(std::move(value));
   }
 
-  void OnAlias(const YAML::Mark& mark, YAML::anchor_t) override {
+  void OnAlias(const YAML::Mark& mark, YAML::anchor_t /*anchor*/) override {
     fail(mark, "aliases are not supported; write the value out");
   }
 
@@ -56,11 +56,11 @@ class ValueBuilder : public YAML::EventHandler {
   }
 
   void OnSequenceStart(const YAML::Mark& mark, const std::string& tag, YAML::anchor_t anchor,
-                       YAML::EmitterStyle::value) override {
+                       YAML::EmitterStyle::value /*style*/) override {
     open(mark, tag, anchor, Value::Kind::kList);
   }
   void OnMapStart(const YAML::Mark& mark, const std::string& tag, YAML::anchor_t anchor,
-                  YAML::EmitterStyle::value) override {
+                  YAML::EmitterStyle::value /*style*/) override {
     open(mark, tag, anchor, Value::Kind::kMap);
   }
   void OnSequenceEnd() override { close(); }
@@ -154,7 +154,7 @@ std::string read_all(const std::filesystem::path& path) {
     throw Error(path.string(), {}, "(file)", "is a directory");
   }
   std::ifstream stream(path, std::ios::binary);
-  if (!stream) throw Error(path.string(), {}, "(file)", std::strerror(errno));
+  if (!stream) throw Error(path.string(), {}, "(file)", std::system_category().message(errno));
   std::ostringstream text;
   text << stream.rdbuf();
   if (stream.bad()) throw Error(path.string(), {}, "(file)", "cannot be read");

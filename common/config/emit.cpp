@@ -9,9 +9,13 @@ namespace {
 
 using Kind = Value::Kind;
 
+constexpr std::string_view kHexDigits = "0123456789abcdef";
+/// Words that YAML or this layer give a meaning of their own.
+constexpr std::array<std::string_view, 7> kSpecial = {"null",  "Null",   "NULL", "true",
+                                                      "false", "absent", "nan"};
+
 std::string escaped(unsigned char code) {
-  constexpr std::string_view kDigits = "0123456789abcdef";
-  return {'\\', 'x', kDigits[code >> 4], kDigits[code & 15]};
+  return {'\\', 'x', kHexDigits[code >> 4], kHexDigits[code & 15]};
 }
 
 std::string in_double_quotes(std::string_view text) {
@@ -35,8 +39,6 @@ bool needs_no_quotes(std::string_view text) {
   const auto is_inner = [&](char c) {
     return is_letter(c) || (c >= '0' && c <= '9') || c == '_' || c == '+' || c == '-' || c == '.';
   };
-  constexpr std::array<std::string_view, 7> kSpecial = {"null",  "Null",   "NULL", "true",
-                                                        "false", "absent", "nan"};
   return !text.empty() && is_letter(text[0]) && std::all_of(text.begin(), text.end(), is_inner) &&
          std::find(kSpecial.begin(), kSpecial.end(), text) == kSpecial.end();
 }

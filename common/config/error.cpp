@@ -3,6 +3,8 @@
 namespace scarab::config {
 namespace {
 
+constexpr std::size_t kShown = 60;  // characters
+
 std::string one_line(std::string_view text) {
   std::string result;
   for (const char character : text) {
@@ -25,7 +27,6 @@ Error::Error(std::string_view file, Position position, std::string_view key,
     : std::runtime_error(compose(file, position, key, reason)) {}
 
 std::string in_quotes(std::string_view text) {
-  constexpr std::size_t kShown = 60;
   if (text.size() <= kShown) return "'" + one_line(text) + "'";
   return "'" + one_line(text.substr(0, kShown)) + "...'";
 }

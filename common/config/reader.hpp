@@ -4,6 +4,7 @@
 #include <limits>
 #include <string_view>
 #include <type_traits>
+#include <utility>
 #include <vector>
 
 #include "common/config/check.hpp"
@@ -18,11 +19,11 @@ namespace scarab::config {
 class KeyList {
  public:
   template <class T>
-  void operator()(std::string_view key, T&, const Range& = kAny) {
+  void operator()(std::string_view key, T& /*member*/, const Range& /*range*/ = kAny) {
     keys_.push_back(key);
   }
   template <class T>
-  void optional(std::string_view key, T&, const Range& = kAny) {
+  void optional(std::string_view key, T& /*member*/, const Range& /*range*/ = kAny) {
     keys_.push_back(key);
   }
   [[nodiscard]] const std::vector<std::string_view>& keys() const { return keys_; }
@@ -37,7 +38,7 @@ void read(const Cursor& at, T& out, const Range& range = kAny);
 /// Visitor that fills the members of a struct from a map.
 class FieldReader {
  public:
-  explicit FieldReader(const Cursor& at) : at_(at) {}
+  explicit FieldReader(Cursor at) : at_(std::move(at)) {}
 
   /// A required key.
   template <class T>

@@ -61,7 +61,7 @@ std::string servo_of(const Joint& joint, Servos& servos) {
   for (const auto& [name, known] : servos) {
     if (same_servo(known, servo)) return name;
   }
-  const std::string name = "servo_" + std::to_string(servos.size() + 1);
+  std::string name = "servo_" + std::to_string(servos.size() + 1);
   servos[name] = servo;
   return name;
 }

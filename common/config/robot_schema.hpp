@@ -36,6 +36,9 @@ void validate(const Trunk& trunk, const config::Check& check);
 
 namespace scarab::config {
 
+inline constexpr Range kHalfTurns{-3.141592653589793, 3.141592653589793};       // rad
+inline constexpr Range kQuarterTurns{-1.5707963267948966, 1.5707963267948966};  // rad
+
 /// One kind of servo, shared by the joints that name it.
 struct ServoSchema {
   double velocity_max_rad_s = 0;
@@ -85,10 +88,9 @@ void visit_fields(Fields& f, ServoSchema& c) {
 
 template <class Fields>
 void visit_fields(Fields& f, JointSchema& c) {
-  constexpr Range kTurn{-3.141592653589793, 3.141592653589793};
   f("servo", c.servo);
-  f("min_rad", c.min_rad, kTurn);
-  f("max_rad", c.max_rad, kTurn);
+  f("min_rad", c.min_rad, kHalfTurns);
+  f("max_rad", c.max_rad, kHalfTurns);
 }
 
 template <class Fields>
@@ -100,12 +102,11 @@ void visit_fields(Fields& f, LegJointsSchema& c) {
 
 template <class Fields>
 void visit_fields(Fields& f, LegRowSchema& c) {
-  constexpr Range kQuarterTurn{-1.5707963267948966, 1.5707963267948966};
   f("attachment_m", c.body.attachment_m, Range{-2.5, 2.5});
   f("on_front_segment", c.body.on_front_segment);
-  f("mount_yaw_rad", c.body.mount_yaw_rad, kQuarterTurn);
-  f("mount_elevation_rad", c.body.mount_elevation_rad, kQuarterTurn);
-  f("mount_rotation_rad", c.body.mount_rotation_rad, kQuarterTurn);
+  f("mount_yaw_rad", c.body.mount_yaw_rad, kQuarterTurns);
+  f("mount_elevation_rad", c.body.mount_elevation_rad, kQuarterTurns);
+  f("mount_rotation_rad", c.body.mount_rotation_rad, kQuarterTurns);
   f("shoulder", c.body.shoulder);
   f("coxa", c.body.coxa);
   f("femur", c.body.femur);

@@ -4,9 +4,16 @@
 #include <numeric>
 
 namespace scarab::config {
+namespace {
+
+constexpr std::size_t kLongest = 64;  // no key is longer, and the distance costs the product
+
+}  // namespace
 
 std::size_t edit_distance(std::string_view a, std::string_view b) {
-  std::vector<std::size_t> before_last, last(b.size() + 1), current(b.size() + 1);
+  std::vector<std::size_t> before_last;
+  std::vector<std::size_t> last(b.size() + 1);
+  std::vector<std::size_t> current(b.size() + 1);
   std::iota(last.begin(), last.end(), std::size_t{0});
   for (std::size_t i = 1; i <= a.size(); ++i) {
     current[0] = i;
@@ -25,7 +32,6 @@ std::size_t edit_distance(std::string_view a, std::string_view b) {
 
 std::optional<std::string_view> closest(std::string_view text,
                                         const std::vector<std::string_view>& names) {
-  constexpr std::size_t kLongest = 64;  // no key is longer, and the distance costs the product
   if (text.size() > kLongest) return std::nullopt;
   std::optional<std::string_view> best;
   std::size_t best_distance = std::max<std::size_t>(2, text.size() / 3) + 1;

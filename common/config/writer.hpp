@@ -23,11 +23,11 @@ class FieldWriter {
   FieldWriter() { map_.kind = Value::Kind::kMap; }
 
   template <class T>
-  void operator()(std::string_view key, T& member, const Range& = kAny) {
+  void operator()(std::string_view key, T& member, const Range& /*range*/ = kAny) {
     add(key, to_value(member));
   }
   template <class T>
-  void optional(std::string_view key, T& member, const Range& = kAny) {
+  void optional(std::string_view key, T& member, const Range& /*range*/ = kAny) {
     add(key, to_value(member));
   }
   void add(std::string_view key, Value value) {

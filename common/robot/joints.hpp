@@ -4,9 +4,9 @@
 #include <cstddef>
 #include <string_view>
 
-/// Joint and leg slots: the one order of every 19- and 6-element array in the project (idl/scarab/header.idl).
-/// Signs: T + forward, C + up, F + flexion (down), backbone + rear up. Angle 0 on T and C is a leg
-/// straight out sideways.
+/// Joint and leg slots: the one order of every 19- and 6-element array in the project
+/// (idl/scarab/header.idl). Signs: T + forward, C + up, F + flexion (down), backbone + rear up.
+/// Angle 0 on T and C is a leg straight out sideways.
 namespace scarab::robot {
 
 inline constexpr std::size_t kJointCount = 19;

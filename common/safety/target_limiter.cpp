@@ -4,6 +4,7 @@
 #include <cmath>
 #include <stdexcept>
 #include <string>
+#include <utility>
 
 #include "common/robot/joint_limits.hpp"
 #include "common/safety/target_window.hpp"
@@ -19,9 +20,11 @@ double counted(double before, double after, Clamp kind, GateCounters& counters) 
 
 }  // namespace
 
-TargetLimiter::TargetLimiter(const robot::RobotModel& robot, double tick_period_s,
+TargetLimiter::TargetLimiter(robot::RobotModel robot, double tick_period_s,
                              double homing_velocity_rad_s)
-    : robot_(robot), tick_period_s_(tick_period_s), homing_velocity_rad_s_(homing_velocity_rad_s) {
+    : robot_(std::move(robot)),
+      tick_period_s_(tick_period_s),
+      homing_velocity_rad_s_(homing_velocity_rad_s) {
   if (!(tick_period_s > 0) || !(homing_velocity_rad_s > 0)) {
     throw std::invalid_argument("TargetLimiter: tick period and homing velocity must be above 0");
   }

@@ -14,7 +14,7 @@ namespace scarab::safety {
 class TargetLimiter {
  public:
   /// `homing_velocity_rad_s`: speed limit of a homing joint, where the joint's own is not lower.
-  TargetLimiter(const robot::RobotModel& robot, double tick_period_s, double homing_velocity_rad_s);
+  TargetLimiter(robot::RobotModel robot, double tick_period_s, double homing_velocity_rad_s);
 
   /// Sets the targets as they are given: where the robot stands. A joint that is homing goes on
   /// homing. Throws std::invalid_argument if one of a present joint is not finite.
