@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "common/config/robot_file.hpp"
+#include "services/plant/config.hpp"
 
 namespace scarab::plant::testing {
 
@@ -10,24 +11,7 @@ robot::RobotModel beetle() {
   return config::load_robot(SCARAB_SOURCE_DIR "/config/robot/beetle.yaml");
 }
 
-PlantConfig default_config() {
-  PlantConfig config;
-  config.contact.robot = {2e4, 60};
-  config.contact.object = {4e4, 150};
-  config.contact.object_rolling_resistance_m = 0.005;
-  config.contact.trunk_edge_radius_m = 0.01;
-  config.friction = {1.2, 0.3, 1.4, 0.2, 0.8, 0.3, 1.0, 0.8};
-  config.joint_stop = {200, 2};
-  config.object = {0.60, 0.18, 2.0, 0.5};
-  config.obstacle = {0.001, 0.8};
-  config.start.front_rad = {0.179, -0.284, 1.013};
-  config.start.middle_rad = {0.323, -0.343, 0.619};
-  config.start.hind_rad = {0.60, -0.191, 1.187};
-  config.start.backbone_rad = 0.05;
-  config.start.settle_s = 1;
-  config.referee = {0.06, 0.80, 0.25, 1.2};
-  return config;
-}
+PlantConfig default_config() { return load_config(SCARAB_SOURCE_DIR "/config/plant/default.yaml"); }
 
 robot::RobotModel plain_walker() {
   robot::RobotModel robot = beetle();
