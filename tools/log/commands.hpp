@@ -1,0 +1,23 @@
+#pragma once
+
+#include <functional>
+
+namespace CLI {
+class App;
+}
+
+namespace scarab::log {
+
+/// Runs the command that was chosen; returns the program's exit code.
+using Command = std::function<int()>;
+
+/// Each adds one subcommand, which puts itself into `chosen` when the user names it. `chosen` must
+/// outlive the parsing.
+void add_info(CLI::App& app, Command& chosen);
+void add_csv(CLI::App& app, Command& chosen);
+/// Exit codes: 0 equal, 1 different, 2 nothing could be compared.
+void add_compare(CLI::App& app, Command& chosen);
+void add_recover(CLI::App& app, Command& chosen);
+void add_attachments(CLI::App& app, Command& chosen);
+
+}  // namespace scarab::log

@@ -1,0 +1,18 @@
+#include <CLI/CLI.hpp>
+
+#include "common/runtime/program.hpp"
+#include "tools/log/commands.hpp"
+
+using namespace scarab;
+
+int main(int argc, char** argv) {
+  CLI::App app{"Looks into recorded logs (MCAP).", "scarab-log"};
+  app.require_subcommand(1);
+  log::Command command;
+  log::add_info(app, command);
+  log::add_csv(app, command);
+  log::add_compare(app, command);
+  log::add_recover(app, command);
+  log::add_attachments(app, command);
+  return runtime::run_program(app, argc, argv, [&] { return command(); });
+}
