@@ -11,4 +11,19 @@ enum class Profile {
              ///< 1 s
 };
 
+/// The profile's name in the documentation.
+constexpr const char* profile_name(Profile profile) {
+  switch (profile) {
+    case Profile::kStream:
+      return "stream";
+    case Profile::kCommand:
+      return "command";
+    case Profile::kState:
+      return "state";
+    case Profile::kStatus:
+      return "status";
+  }
+  return "unknown";
+}
+
 }  // namespace scarab::bus

@@ -1,5 +1,6 @@
 #include <gmock/gmock.h>
 
+#include <cstring>
 #include <thread>
 
 #include "common/bus/reader.hpp"
@@ -123,6 +124,16 @@ TEST(Delivery, StatusTellsOfAWriterThatLeft) {
     gone.push_back(s.service + std::to_string(s.instance));
   });
   EXPECT_THAT(gone, ElementsAre("premotor3"));
+}
+
+TEST(Delivery, ASampleThatIsNoneOfItsTypeIsNotSent) {
+  Participant supervisor(test_options("supervisor"));
+  Writer<scarab_Behaviour> writer(supervisor, kBehaviour);
+  scarab_Behaviour sample{};
+  std::memset(sample.reason, 'x', sizeof(sample.reason));
+  EXPECT_THAT([&] { writer.write(sample); },
+              testing::ThrowsMessage<Error>(
+                  testing::StrEq("writer on scarab/behaviour: reason: text without end")));
 }
 
 TEST(WaitSet, AGuardWakesItFromAnotherThread) {

@@ -1,0 +1,154 @@
+#include "common/bus/cdr.hpp"
+
+#include <gmock/gmock.h>
+
+#include <algorithm>
+#include <cstdlib>
+#include <cstring>
+
+#include "common/bus/error.hpp"
+#include "common/bus/sample_columns.hpp"
+#include "common/bus/sample_fields.hpp"
+#include "common/bus/sample_text.hpp"
+
+namespace scarab::bus {
+namespace {
+
+using testing::Contains;
+using testing::ElementsAre;
+using testing::HasSubstr;
+using testing::ThrowsMessage;
+
+TypeRef make(decltype(Type::kind) kind) {
+  return std::make_shared<const Type>(Type{std::move(kind)});
+}
+
+Bytes bytes(std::initializer_list<int> values) {
+  Bytes out;
+  for (const int value : values) out.push_back(static_cast<std::byte>(value));
+  return out;
+}
+
+struct World : testing::Test {
+  std::vector<scarab_Contact> contacts{2};
+  scarab_WorldState sample{};
+  TypeModel model = TypeModel::from_descriptor(descriptor<scarab_WorldState>());
+
+  World() {
+    sample.header.tick = 7;
+    sample.trunk.position_m[2] = 0.125;
+    sample.verdict = scarab_VERDICT_SUCCESS;
+    contacts[1].solid_a = scarab_SOLID_FOOT;
+    contacts[1].force_n[2] = -1.5;
+    assign(sample.verdict_reason, "\"across\"\n");
+    borrow(sample.contacts, contacts);
+  }
+};
+
+TEST_F(World, SurvivesTheRoundTrip) {
+  const Bytes cdr = encode(sample);
+  EXPECT_EQ(cdr.size() % 4, 0U);
+  const auto back = decode<scarab_WorldState>(cdr);
+  EXPECT_EQ(back->header.tick, 7U);
+  EXPECT_EQ(back->trunk.position_m[2], 0.125);
+  ASSERT_EQ(elements(back->contacts).size(), 2U);
+  EXPECT_EQ(elements(back->contacts)[1].force_n[2], -1.5);
+  EXPECT_EQ(text(back->verdict_reason), "\"across\"\n");
+  EXPECT_EQ(encode(*back), cdr);
+}
+
+TEST_F(World, CutAnywhereIsAnErrorForEveryDecoder) {
+  const Bytes cdr = encode(sample);
+  // The last bytes may be padding, so that the cut ends well before them.
+  for (std::size_t size = 0; size + 8 < cdr.size(); ++size) {
+    const ByteView cut{cdr.data(), size};
+    EXPECT_THROW(decode<scarab_WorldState>(cut), Error) << size;
+    EXPECT_THROW(json_text(model, cut), Error) << size;
+  }
+}
+
+TEST_F(World, FlippedBytesNeverCrash) {
+  const Bytes cdr = encode(sample);
+  for (std::size_t i = 0; i < cdr.size(); ++i) {
+    Bytes wrong = cdr;
+    wrong[i] ^= std::byte{0xFF};
+    try {
+      column_values(model, wrong, {3});
+      decode<scarab_WorldState>(wrong);
+    } catch (const Error&) {
+      continue;  // refused, which is as good
+    }
+  }
+}
+
+TEST_F(World, ColumnsHaveNamesAndValuesInStep) {
+  for (const std::size_t shown : {0U, 1U, 3U, 200U}) {
+    const auto names = column_names(model, {shown});
+    const auto values = column_values(model, encode(sample), {shown});
+    ASSERT_EQ(names.size(), values.size());
+    const auto value = [&](const std::string& name) {
+      const auto at = std::find(names.begin(), names.end(), name);
+      return at == names.end() ? "no column" : values[static_cast<std::size_t>(at - names.begin())];
+    };
+    EXPECT_EQ(value("header.tick"), "7");
+    EXPECT_EQ(value("trunk.position_m[2]"), "0.125");
+    EXPECT_EQ(value("verdict"), "VERDICT_SUCCESS");
+    EXPECT_EQ(value("contacts.length"), "2");
+    EXPECT_EQ(value("contacts[1].force_n[2]"), shown > 1 ? "-1.5" : "no column");
+    EXPECT_EQ(value("contacts[2].solid_a"), shown > 2 ? "" : "no column");
+    EXPECT_EQ(value("contacts[95].solid_a"), shown > 95 ? "" : "no column");
+    EXPECT_EQ(value("contacts[96].solid_a"), "no column");
+  }
+}
+
+TEST_F(World, IsPrintedAsYamlAndJson) {
+  const Bytes cdr = encode(sample);
+  const std::string yaml = yaml_text(model, cdr);
+  EXPECT_THAT(yaml, HasSubstr("trunk:\n  position_m: [0, 0, 0.125]\n"));
+  EXPECT_THAT(yaml, HasSubstr("contacts:\n  - solid_a: SOLID_GROUND\n    leg_a: 0\n"));
+  EXPECT_THAT(yaml, HasSubstr("verdict_reason: \"\\\"across\\\"\\u000a\"\n"));
+  const std::string json = json_text(model, cdr);
+  EXPECT_EQ(json.find('\n'), std::string::npos);
+  EXPECT_THAT(json, HasSubstr(R"("verdict": "VERDICT_SUCCESS")"));
+}
+
+TEST(Encode, RefusesAValueThatItsEnumDoesNotHave) {
+  scarab_JointCommand command{};
+  std::memset(&command.kind, 2, sizeof(command.kind));
+  EXPECT_THAT([&] { encode(command); }, ThrowsMessage<Error>(HasSubstr("scarab::JointCommand")));
+}
+
+TEST(Cdr, IsReadInBothByteOrders) {
+  const TypeModel model(make(StructType{"T",
+                                        {{"flag", make(Primitive::kBoolean), false},
+                                         {"number", make(Primitive::kInt32), false},
+                                         {"text", make(StringType{}), false},
+                                         {"real", make(Primitive::kDouble), false}}}));
+  const Bytes little = bytes({0, 1, 0,   0, 1, 0, 0, 0, 0xFE, 0xFF, 0xFF, 0xFF, 2,    0,
+                              0, 0, 'a', 0, 0, 0, 0, 0, 0,    0,    0,    0,    0xF8, 0x3F});
+  const Bytes big = bytes({0, 0, 0,   0, 1, 0, 0,    0,    0xFF, 0xFF, 0xFF, 0xFE, 0, 0,
+                           0, 2, 'a', 0, 0, 0, 0x3F, 0xF8, 0,    0,    0,    0,    0, 0});
+  EXPECT_EQ(json_text(model, little), R"({"flag": true, "number": -2, "text": "a", "real": 1.5})");
+  EXPECT_EQ(json_text(model, big), json_text(model, little));
+}
+
+TEST(Cdr, AnotherRepresentationIsRefusedByName) {
+  const TypeModel model = TypeModel::from_descriptor(descriptor<scarab_Operator>());
+  Bytes cdr = encode(scarab_Operator{});
+  cdr[1] = std::byte{7};
+  EXPECT_THAT([&] { json_text(model, cdr); },
+              ThrowsMessage<Error>(HasSubstr("scarab::Operator: representation")));
+}
+
+TEST(ScalarText, IsTheShortestThatReadsBackTheSame) {
+  for (const double value : {0.1, 1.0 / 3.0, -1e300, 5e-324, 123456789.0}) {
+    EXPECT_EQ(std::strtod(scalar_text(value).c_str(), nullptr), value);
+  }
+  EXPECT_EQ(scalar_text(0.1), "0.1");
+  const TypeModel model(make(StructType{"T", {{"x", make(Primitive::kFloat), false}}}));
+  const Bytes nan = bytes({0, 1, 0, 0, 0, 0, 0xC0, 0x7F});
+  EXPECT_EQ(json_text(model, nan), R"({"x": "nan"})");
+}
+
+}  // namespace
+}  // namespace scarab::bus

@@ -1,0 +1,37 @@
+#include "common/bus/domain_config.hpp"
+
+#include <gmock/gmock.h>
+
+namespace scarab::bus {
+namespace {
+
+using testing::HasSubstr;
+using testing::Not;
+using testing::StartsWith;
+
+TEST(DomainConfig, BuiltInIsLoopbackWithRoomForManyParticipants) {
+  const std::string config = domain_config({}, std::nullopt);
+  EXPECT_THAT(config, HasSubstr("NetworkInterface name=\"lo\""));
+  EXPECT_THAT(config, HasSubstr("<MaxAutoParticipantIndex>63<"));
+  EXPECT_THAT(config, HasSubstr("<LeaseDuration>1s<"));
+  EXPECT_THAT(config, Not(HasSubstr("<Tag>")));
+}
+
+TEST(DomainConfig, OptionsAppear) {
+  const std::string config = domain_config({7, "a<b&$", "10.0.0.1", {}}, std::nullopt);
+  EXPECT_THAT(config, HasSubstr("<ExternalDomainId>7<"));
+  EXPECT_THAT(config, HasSubstr("<Tag>a&lt;b&amp;&#36;</Tag>"));
+  EXPECT_THAT(config, HasSubstr("NetworkInterface address=\"10.0.0.1\""));
+}
+
+TEST(DomainConfig, ABaseIsOnlyOverriddenByWhatWasGiven) {
+  const std::string config = domain_config({0, "", "lo", {}}, "file:///etc/c.xml");
+  EXPECT_THAT(config, StartsWith("file:///etc/c.xml,<"));
+  EXPECT_THAT(config, Not(HasSubstr("NetworkInterface")));
+  EXPECT_THAT(config, Not(HasSubstr("Lease")));
+  EXPECT_THAT(domain_config({0, "t", "eth1", {}}, "file:///etc/c.xml"),
+              HasSubstr("NetworkInterface name=\"eth1\""));
+}
+
+}  // namespace
+}  // namespace scarab::bus
