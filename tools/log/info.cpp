@@ -29,7 +29,9 @@ std::string size_text(std::uint64_t bytes) {
   constexpr double kMega = 1e6;
   std::ostringstream text;
   text << std::fixed << std::setprecision(1);
-  if (static_cast<double>(bytes) < kMega) {
+  if (static_cast<double>(bytes) < kKilo) {
+    text << bytes << " B";
+  } else if (static_cast<double>(bytes) < kMega) {
     text << static_cast<double>(bytes) / kKilo << " kB";
   } else {
     text << static_cast<double>(bytes) / kMega << " MB";
@@ -99,7 +101,7 @@ void print_topics(const mcap::Reader& reader, std::ostream& out) {
     const double span = span_s(summary.statistics);
     out << "  " << std::left << std::setw(26) << channel.topic << std::setw(26)
         << (schema == summary.schemas.end() ? "(no schema)" : schema->second.name) << std::right
-        << std::setw(9) << count << std::fixed << std::setprecision(1) << std::setw(10)
+        << std::setw(9) << count << ' ' << std::fixed << std::setprecision(1) << std::setw(9)
         << (span > 0 ? static_cast<double>(count) / span : 0.0) << "/s\n";
   }
 }
