@@ -39,11 +39,11 @@ std::string core_of(const SourceFile& file) {
 
 /// Standard headers are those without a dot or a slash in their names.
 bool is_pure_standard_header(const std::string& target) {
-  static const Names kImpure = {
+  static const Names impure = {
       "chrono",  "ctime",      "thread",     "mutex",     "condition_variable", "shared_mutex",
       "future",  "atomic",     "stop_token", "semaphore", "iostream",           "fstream",
       "csignal", "filesystem", "random",     "syncstream"};
-  return target.find_first_of("./") == std::string::npos && kImpure.count(target) == 0;
+  return target.find_first_of("./") == std::string::npos && impure.count(target) == 0;
 }
 
 bool is_simbody(const std::string& target) {
@@ -54,7 +54,7 @@ const Names kPureCommon = {"common/robot/", "common/safety/", "common/random/"};
 
 /// Which folders of common/ each folder of common/ may include, besides itself.
 const std::map<std::string, Names>& common_layers() {
-  static const std::map<std::string, Names> kLayers = {
+  static const std::map<std::string, Names> layers = {
       {"random", {}},
       {"robot", {}},
       {"safety", {"robot"}},
@@ -63,7 +63,7 @@ const std::map<std::string, Names>& common_layers() {
       {"mcap", {}},
       {"runtime", {"bus", "config", "random", "robot", "safety"}},
   };
-  return kLayers;
+  return layers;
 }
 
 bool common_may_include(const std::string& folder, const std::string& target) {
@@ -106,14 +106,14 @@ Violations check_pure_includes(const SourceFile& file) {
 
 Violations check_dds_includes(const SourceFile& file) {
   // Samples as raw CDR, type objects, and the log sink: what the public API does not offer.
-  static const Names kInternals = {"common/bus/raw_cdr.cpp", "common/bus/type_object_walker.cpp",
-                                   "common/bus/cyclone_log.cpp"};
+  static const Names internals = {"common/bus/raw_cdr.cpp", "common/bus/type_object_walker.cpp",
+                                  "common/bus/cyclone_log.cpp"};
   return refuse_unless(
       file, "<dds/...> belongs to common/bus, its internals to three files there",
       [&](const Include& include) {
         if (!starts_with(include.target, "dds/")) return true;
-        const bool internal = starts_with_any(include.target, {"dds/ddsi", "dds/ddsrt"});
-        return internal ? kInternals.count(file.path) != 0 : file.is_in("common/bus");
+        const bool is_internal = starts_with_any(include.target, {"dds/ddsi", "dds/ddsrt"});
+        return is_internal ? internals.count(file.path) != 0 : file.is_in("common/bus");
       });
 }
 

@@ -83,8 +83,8 @@ bool parse_include(const std::string& code, const std::string& raw, Include& inc
 }
 
 bool is_source(const std::filesystem::path& path) {
-  static const std::set<std::string> kExtensions = {".hpp", ".h", ".cpp"};
-  return kExtensions.count(path.extension().string()) != 0;
+  static const std::set<std::string> extensions = {".hpp", ".h", ".cpp"};
+  return extensions.count(path.extension().string()) != 0;
 }
 
 }  // namespace

@@ -25,7 +25,9 @@ Violations refuse_words(const SourceFile& file, const std::vector<std::string>& 
   for (std::size_t i = 0; i < file.code.size(); ++i) {
     for (const std::string& word : words) {
       if (!has_word(file.code[i], word)) continue;
-      violations.push_back(file.path + ":" + std::to_string(i + 1) + ": " + word + ": " + rule);
+      std::string violation = file.path + ":" + std::to_string(i + 1);
+      violation += ": " + word + ": " + rule;
+      violations.push_back(violation);
     }
   }
   return violations;
