@@ -6,12 +6,12 @@ namespace scarab::runtime {
 
 void PeerCheck::need(const bus::WriterEndpoint& writer, const std::string& service) {
   needs_.push_back({service, "to read " + writer.topic(), [&writer] { return writer.matched(); },
-                    [&writer] { return writer.faults(); }});
+                    [&writer] { return writer.faults(); }, false});
 }
 
 void PeerCheck::need(const bus::ReaderEndpoint& reader, const std::string& service) {
   needs_.push_back({service, "to write " + reader.topic(), [&reader] { return reader.matched(); },
-                    [&reader] { return reader.faults(); }});
+                    [&reader] { return reader.faults(); }, true});
 }
 
 std::vector<std::string> PeerCheck::unmet() const {
@@ -38,7 +38,7 @@ void PeerCheck::check(const Need& need, std::vector<std::string>& unmet) const {
   if (incomplete) {
     for (auto& fault : need.faults()) unmet.push_back(std::move(fault));
   }
-  if (of_service > static_cast<std::ptrdiff_t>(expected->second)) {
+  if (need.limited && of_service > static_cast<std::ptrdiff_t>(expected->second)) {
     unmet.push_back("only " + std::to_string(expected->second) + " " + need.service + " " +
                     need.action + " (found " + std::to_string(of_service) + ")");
   }

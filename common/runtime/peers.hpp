@@ -17,7 +17,8 @@ class PeerCheck {
   explicit PeerCheck(Expectation expect) : expect_(std::move(expect)) {}
 
   /// Our endpoint, which must outlive this, needs all expected instances of `service` at its other
-  /// end, and no more of them. A service that is not expected is not needed.
+  /// end. A service that is not expected is not needed. Of writers there may be no more than
+  /// expected: nobody could tell whose word counts.
   void need(const bus::WriterEndpoint& writer, const std::string& service);
   void need(const bus::ReaderEndpoint& reader, const std::string& service);
 
@@ -33,6 +34,7 @@ class PeerCheck {
     std::string action;  // "to read scarab/behaviour"
     std::function<std::vector<bus::Peer>()> matched;
     std::function<std::vector<std::string>()> faults;
+    bool limited;  // no more of them than expected
   };
   void check(const Need& need, std::vector<std::string>& unmet) const;
 
