@@ -17,7 +17,7 @@ namespace scarab::structure {
 /// Who controls the robot does not know the ground truth (scarab/world_state).
 [[nodiscard]] Violations check_ground_truth(const SourceFile& file);
 
-/// main.cpp has fewer than 60 lines.
+/// A service's main.cpp has fewer than 60 lines.
 [[nodiscard]] Violations check_main_length(const SourceFile& file);
 
 }  // namespace scarab::structure

@@ -57,9 +57,9 @@ TEST(MainLength, IsUnderSixty) {
   const std::string line = "int x;\n";
   std::string text;
   for (int i = 0; i < 59; ++i) text += line;
-  EXPECT_TRUE(check_main_length(parse_source("tools/a/main.cpp", text)).empty());
-  EXPECT_FALSE(check_main_length(parse_source("tools/a/main.cpp", text + line)).empty());
-  EXPECT_TRUE(check_main_length(parse_source("tools/a/long.cpp", text + line)).empty());
+  EXPECT_TRUE(check_main_length(parse_source("services/a/main.cpp", text)).empty());
+  EXPECT_FALSE(check_main_length(parse_source("services/a/main.cpp", text + line)).empty());
+  EXPECT_TRUE(check_main_length(parse_source("services/a/service.cpp", text + line)).empty());
 }
 
 }  // namespace
