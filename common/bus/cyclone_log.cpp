@@ -19,7 +19,7 @@ std::mutex& sink_turn() {
 CycloneLog::CycloneLog() : turn_(sink_turn()) {
   const auto collect = [](void* self, const dds_log_data_t* data) {
     auto& log = *static_cast<CycloneLog*>(self);
-    std::string_view message(data->message + data->hdrsize);
+    std::string_view message(data->message);
     while (!message.empty() && message.back() == '\n') message.remove_suffix(1);
     const std::lock_guard lock(log.mutex_);
     if (!log.text_.empty()) log.text_ += "; ";

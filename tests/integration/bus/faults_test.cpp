@@ -1,5 +1,7 @@
 #include <gmock/gmock.h>
 
+#include <cstdlib>
+
 #include "common/bus/reader.hpp"
 #include "common/bus/topics.hpp"
 #include "common/bus/writer.hpp"
@@ -8,6 +10,7 @@
 namespace scarab::bus {
 namespace {
 
+using testing::AllOf;
 using testing::ElementsAre;
 using testing::HasSubstr;
 using testing::StrEq;
@@ -25,6 +28,15 @@ TEST(Faults, ADomainOutOfRangeIsNamed) {
   options.domain = 231;
   EXPECT_THAT([&] { Participant plant(options); },
               ThrowsMessage<Error>(HasSubstr("domain 231 out of range")));
+}
+
+TEST(Faults, WhatCycloneSaysIsInTheError) {
+  ASSERT_EQ(setenv("CYCLONEDDS_URI", "<CycloneDDS><Domain><Nonsense/></Domain></CycloneDDS>", 1),
+            0);
+  EXPECT_THAT([&] { Participant plant(test_options("plant")); },
+              ThrowsMessage<Error>(AllOf(HasSubstr("participant plant/0 in domain 0"),
+                                         HasSubstr("Nonsense: unknown element"))));
+  unsetenv("CYCLONEDDS_URI");
 }
 
 TEST(Faults, AnotherTypeOnTheTopicIsReportedByBothSides) {
