@@ -17,6 +17,7 @@ namespace scarab::test {
 namespace {
 
 constexpr std::chrono::milliseconds kPoll{1};
+constexpr std::chrono::seconds kStopLimit{3};
 constexpr int kCannotStart = 127;
 
 std::filesystem::path with_ending(std::filesystem::path path, const char* ending) {
@@ -70,7 +71,7 @@ ChildProcess::ChildProcess(ChildProcess&& other) noexcept
       output_(std::move(other.output_)) {}
 
 ChildProcess::~ChildProcess() {
-  if (pid_ > 0) kill();
+  if (pid_ > 0 && !stop(kStopLimit)) kill();
 }
 
 void ChildProcess::signal(int number) {

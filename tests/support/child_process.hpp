@@ -10,8 +10,8 @@
 
 namespace scarab::test {
 
-/// A program run by a test. It never outlives the test: it is killed with the object, and by the
-/// kernel if the test process dies first.
+/// A program run by a test. It never outlives the test: the object stops it, kills it if it does
+/// not stop, and the kernel kills it if the test process dies first.
 class ChildProcess {
  public:
   /// Starts `command`; stdout and stderr go to `<output>.out` and `<output>.err`. Throws

@@ -1,0 +1,44 @@
+#pragma once
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <iterator>
+
+#include "common/bus/sample_fields.hpp"
+#include "common/bus/topics.hpp"
+
+namespace scarab::test {
+
+/// The supervisor as tests talk to it.
+struct Supervisor {
+  using Question = scarab_RobotState;
+  using Answer = scarab_Behaviour;
+  static constexpr const char* kName = "supervisor";
+  static constexpr const char* kAsker = "plant";
+  static constexpr std::array<const char*, 2> kReaders = {"premotor", "plant"};
+  static constexpr const char* kExpect = "plant=1,premotor=1";
+  static constexpr const auto& question() { return bus::kRobotState; }
+  static constexpr const auto& answer() { return bus::kBehaviour; }
+
+  static scarab_Trial trial(std::uint32_t number) {
+    scarab_Trial trial{};
+    trial.header.trial = number;
+    bus::assign(trial.strategy, "soft+hard");
+    return trial;
+  }
+  /// A robot that rears up slowly and moves its front legs: each answer depends on all questions
+  /// before it, and the behaviour changes on the way.
+  static scarab_RobotState question_of(std::uint32_t trial, std::uint32_t tick) {
+    scarab_RobotState state{};
+    state.header = {trial, tick, tick * 100'000'000LL, 0};
+    state.phase = scarab_PHASE_RUNNING;
+    for (std::size_t joint = 0; joint < std::size(state.position_rad); ++joint) {
+      state.position_rad[joint] = 0.4 * std::sin(0.2 * tick + static_cast<double>(joint));
+    }
+    state.inclination_rad[1] = std::min(0.02 * tick, 0.4);
+    return state;
+  }
+};
+
+}  // namespace scarab::test
