@@ -37,6 +37,7 @@ def main(words: Sequence[str]) -> int:
     try:
         return _dispatch(list(words))
     except Interrupted as stop:
+        print("scarab: interrupted", file=sys.stderr)
         return stop.exit_code
     except Failure as failure:
         print(f"{failure}" if failure.exit_code == 2 else f"scarab: {failure}", file=sys.stderr)

@@ -3,6 +3,7 @@
 import csv
 import subprocess
 import tempfile
+import time
 from pathlib import Path
 
 from .failure import Failure
@@ -10,20 +11,29 @@ from .foreground import run_in_front
 from .places import Places
 from .signals import Signals
 
-_TOPICS = ("behaviour", "robot_state")
+# A log that is still being written holds what its recorder has closed: at most about a second is missing.
+_CHUNK_PATIENCE_S = 5.0
+_CHUNK_POLL_S = 0.2
 
 
 def draw_figure(places: Places, log: Path, trial: int, prefix: Path, signals: Signals) -> None:
     """Writes <prefix>.csv, .svg and .png. Failure with the reason where that does not work."""
+    def extract(topic: str, table: Path) -> None:
+        _run([places.program("scarab-log"), "csv", log, "--topic", f"scarab/{topic}",
+              "--trial", str(trial)], table, signals)
+
     with tempfile.TemporaryDirectory(dir=prefix.parent, prefix=".figure7-") as room:
-        tables = []
-        for topic in _TOPICS:
-            table = Path(room) / f"{topic}.csv"
-            _run([places.program("scarab-log"), "csv", log, "--topic", f"scarab/{topic}",
-                  "--trial", str(trial)], table, signals)
-            tables += [f"--{topic.replace('_', '-')}", table]
+        behaviour, robot_state = Path(room) / "behaviour.csv", Path(room) / "robot_state.csv"
+        extract("behaviour", behaviour)
+        patience_ends = time.monotonic() + _CHUNK_PATIENCE_S
+        while (log.suffix == ".active" and not _shows_the_end(behaviour)
+               and time.monotonic() < patience_ends):
+            signals.wait(_CHUNK_POLL_S)
+            extract("behaviour", behaviour)
+        extract("robot_state", robot_state)
         script = places.root / "deploy" / "plot" / "figure7.py"
-        _run(["/usr/bin/python3", script, *tables, "--output", prefix], None, signals)
+        _run(["/usr/bin/python3", script, "--behaviour", behaviour, "--robot-state", robot_state,
+              "--output", prefix], None, signals)
 
 
 def first_trial(results: Path) -> int:
@@ -35,6 +45,12 @@ def first_trial(results: Path) -> int:
         return 1
     number = row.get("trial") or ""
     return int(number) if number.isdigit() else 1
+
+
+def _shows_the_end(behaviour: Path) -> bool:
+    with open(behaviour, newline="") as table:
+        states = [row.get("state") or "" for row in csv.DictReader(table)]
+    return bool(states) and states[-1].endswith(("DONE", "FAILED"))
 
 
 def _run(command: list, output: "Path | None", signals: Signals) -> None:

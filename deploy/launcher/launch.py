@@ -44,6 +44,7 @@ def launch(places: Places, stack: Stack, claim: DomainClaim, tag: str, kind: Kin
     signals.raise_if_stop_requested()
     bus = Bus(claim.domain, stack.interface, tag)
     directory = create_run_directory(places.runs)
+    directory.make_rooms()
     write_configuration(directory, stack, texts, source_version(places.root))
     wait_ready = [str(waiter), *bus.arguments(), "--wait", stack.expected(),
                   "--timeout", f"{stack.ready_s:g}"]

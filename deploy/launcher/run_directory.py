@@ -12,9 +12,14 @@ from .failure import Failure
 
 @dataclass(frozen=True)
 class RunDirectory:
-    """Names of what lies in it; nothing is read or written here but by `create_run_directory`."""
+    """Names of what lies in it."""
 
     path: Path
+
+    def make_rooms(self) -> None:
+        """The folders that a stack fills."""
+        for room in (self.logs, self.config, self.pids, self.state):
+            room.mkdir()
 
     @property
     def logs(self) -> Path:
@@ -53,13 +58,10 @@ def create_run_directory(runs: Path) -> RunDirectory:
     try:
         runs.mkdir(parents=True, exist_ok=True)
         path = _make_next(runs, today)
-        directory = RunDirectory(path)
-        for room in (directory.logs, directory.config, directory.pids, directory.state):
-            room.mkdir()
         _point_latest_to(runs, path)
     except OSError as error:
         raise Failure(f"cannot make a run directory in {runs}: {error.strerror}") from None
-    return directory
+    return RunDirectory(path)
 
 
 def run_directories(runs: Path) -> List[Path]:

@@ -109,7 +109,7 @@ def _stopped_in_the_end(keeper: KeeperLine, signals: Signals, keep: bool) -> Ite
         yield
     except BaseException as error:
         if isinstance(error, Interrupted):
-            print("\nscarab: interrupted, stopping the stack", file=sys.stderr, flush=True)
+            print("\nscarab: stopping the stack", file=sys.stderr, flush=True)
         _tell(keeper.stop(signals))
         raise
     if keep:
