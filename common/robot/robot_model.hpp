@@ -31,8 +31,8 @@ struct Segment {
 /// One row of legs (front, middle or hind); left and right mirror each other.
 /// Mount rotation for side s (left +1, right -1): R = Rz(-s yaw) Rx(s elevation) Ry(rotation).
 struct LegRow {
-  double attachment_m[3] = {
-      0, 0, 0};  ///< left leg's mount in the frame of the undivided trunk's centre; y mirrors
+  std::array<double, 3>
+      attachment_m{};  ///< left leg's mount in the frame of the undivided trunk's centre; y mirrors
   bool on_front_segment = false;  ///< of the trunk, before the backbone hinge
   double mount_yaw_rad = 0;       ///< + forward
   double mount_elevation_rad = 0;

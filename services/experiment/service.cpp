@@ -14,7 +14,9 @@ namespace {
 Conductor::Listener listener_on(runtime::Screen& screen) {
   return {[&screen](const std::string& whom) { screen.progress("waits for " + whom); },
           [&screen](const BehaviourChange& change) { screen.detail(change_line(change)); },
-          [&screen](const Progress& progress) { screen.progress(progress_line(progress)); }};
+          [&screen](const Progress& progress) {
+            if (progress.time_s > 0) screen.progress(progress_line(progress));
+          }};
 }
 
 }  // namespace

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <iterator>
+#include <limits>
 
 #include "common/bus/sample_fields.hpp"
 #include "common/robot/joints.hpp"
@@ -26,18 +27,25 @@ static_assert(same(Phase::kRunning, scarab_PHASE_RUNNING) &&
 
 constexpr std::size_t kPitch = 1;  // index in inclination_rad
 
+/// What is not measured is no number to the machine, which passes over such readings; a 0 would
+/// look like an obstacle.
+double reading(double value, scarab_Source source) {
+  return source == scarab_SOURCE_ABSENT ? std::numeric_limits<double>::quiet_NaN() : value;
+}
+
+double front_f(const scarab_RobotState& state, robot::Leg leg) {
+  const auto slot = robot::joint_slot(leg, robot::LegJoint::kFemurTibia);
+  return reading(state.position_rad[slot], state.position_source[slot]);
+}
+
 }  // namespace
 
 Perception to_perception(const scarab_RobotState& state) {
-  using robot::joint_slot;
-  using robot::Leg;
-  using robot::LegJoint;
   Perception perception;
   perception.tick = state.header.tick;
   perception.phase = static_cast<Phase>(state.phase);
-  perception.pitch_rad = state.inclination_rad[kPitch];
-  perception.front_f_rad = {state.position_rad[joint_slot(Leg::kL0, LegJoint::kFemurTibia)],
-                            state.position_rad[joint_slot(Leg::kR0, LegJoint::kFemurTibia)]};
+  perception.pitch_rad = reading(state.inclination_rad[kPitch], state.imu_source);
+  perception.front_f_rad = {front_f(state, robot::Leg::kL0), front_f(state, robot::Leg::kR0)};
   return perception;
 }
 

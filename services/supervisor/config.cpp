@@ -22,7 +22,7 @@ template <class Fields>
 void visit_fields(Fields& f, InclinationConfig& c) {
   f("smoothing", c.smoothing, config::Range{0, 1, true});
   f("threshold_rad", c.threshold_rad);
-  f("settle_ticks", c.settle_ticks, kCount);
+  f("settle_ticks", c.settle_ticks, config::Range{2, kTicksMost});
 }
 
 template <class Fields>
