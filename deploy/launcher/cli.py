@@ -18,7 +18,7 @@ _TOOLS = {
     "topic": ("scarab-topic", "list and echo topics of any DDS system: topic list, topic echo T"),
     "log": ("scarab-log", "read logs: log info FILE, log csv FILE --topic T, compare, recover"),
     "operator": ("scarab-operator", "tell the running stack: pause, start, step, stop, ..."),
-    "sim": ("scarab-sim", "one trial with the same cores in one process, without DDS"),
+    "sim": ("scarab-sim", "trials with the same cores in one process, without DDS"),
 }
 _NEEDS_BUS = ("topic", "operator")
 

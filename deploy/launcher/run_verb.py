@@ -36,9 +36,10 @@ def run(options: argparse.Namespace, places: Places) -> int:
     tag = stack.tag if options.tag is None else options.tag
     launched = launch(places, stack, claim, tag, kind, signals)
     try:
-        with _stopped_in_the_end(launched.keeper, signals, options.keep):
+        with _stopped_in_the_end(launched.keeper, signals, options.keep), \
+                _only_trials_of(launched.directory):
             code = _experiment(options, places, launched.bus, stack.expected(),
-                               launched.directory, launched.directory, signals, launched.keeper)
+                               launched.directory, signals, launched.keeper)
         if not options.keep:
             _mend_log(places, launched.directory, signals)
         _figure(places, launched.directory, launched.directory, signals)
@@ -52,17 +53,18 @@ def run(options: argparse.Namespace, places: Places) -> int:
 def _run_on(running: RunningStack, options: argparse.Namespace, places: Places,
             signals: Signals) -> int:
     """On a stack that `up` started: it goes on running afterwards."""
-    directory = create_run_directory(places.runs)
-    (directory.path / "stack").symlink_to(running.directory.path)
-    print(f"using the running stack of {shown(running.directory.path)} "
-          f"(DDS domain {running.bus.domain})")
-    try:
-        code = _experiment(options, places, running.bus, running.expected, directory,
-                           running.directory, signals, None)
-        _figure(places, directory, running.directory, signals)
-    finally:
-        _say_where(directory, running.directory)
-    return code
+    with _only_trials_of(running.directory):
+        directory = create_run_directory(places.runs)
+        (directory.path / "stack").symlink_to(Path("..") / running.directory.path.name)
+        print(f"using the running stack of {shown(running.directory.path)} "
+              f"(DDS domain {running.bus.domain})")
+        try:
+            code = _experiment(options, places, running.bus, running.expected, directory, signals,
+                               None)
+            _figure(places, directory, running.directory, signals)
+        finally:
+            _say_where(directory, running.directory)
+        return code
 
 
 def _lasting_stack(runs: Path, domain: Optional[int]) -> Optional[RunningStack]:
@@ -76,13 +78,22 @@ def _lasting_stack(runs: Path, domain: Optional[int]) -> Optional[RunningStack]:
     return stacks[0]
 
 
-def _experiment(options: argparse.Namespace, places: Places, bus: Bus, expected: str,
-                directory: RunDirectory, stack_directory: RunDirectory, signals: Signals,
-                keeper: Optional[KeeperLine]) -> int:
+@contextmanager
+def _only_trials_of(stack_directory: RunDirectory) -> Iterator[None]:
+    """Nobody else runs trials on the stack meanwhile, and its keeper knows that some run."""
     lock = TrialLock.try_take(stack_directory.trial_lock)
     if lock is None:
         raise Failure("trials are already running on this stack; wait for their end, or start "
                       "a stack of your own with --domain N")
+    try:
+        yield
+    finally:
+        lock.release()
+
+
+def _experiment(options: argparse.Namespace, places: Places, bus: Bus, expected: str,
+                directory: RunDirectory, signals: Signals,
+                keeper: Optional[KeeperLine]) -> int:
     command = [str(places.program("scarab-experiment")), *bus.arguments(), "--expect", expected,
                *trial_arguments(options), "--results", str(directory.results)]
 
@@ -90,10 +101,7 @@ def _experiment(options: argparse.Namespace, places: Places, bus: Bus, expected:
         _tell(keeper.events(signals))
         return not keeper.ended
 
-    try:
-        code = run_in_front(command, signals, watch=watch if keeper else None)
-    finally:
-        lock.release()
+    code = run_in_front(command, signals, watch=watch if keeper else None)
     if keeper is not None and keeper.ended:
         raise Failure(f"the keeper of the stack ended in the middle of the run; see "
                       f"{shown(directory.log_of('launcher'))}")

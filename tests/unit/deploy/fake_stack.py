@@ -24,9 +24,9 @@ log_level: info
 timing: {ready_s: 20}
 restart: {first_s: 0.01, longest_s: 0.05, forget_s: 30}
 services:
-  logger: {binary: scarab-logger, instances: 1, restart: always, stop_s: 1}
-  plant: {binary: scarab-plant, instances: 1, restart: between_trials, stop_s: 1}
-  premotor: {binary: scarab-premotor, instances: 1, restart: always, stop_s: 1}
+  logger: {binary: scarab-logger, instances: 1, restart: always, stop_s: 20}
+  plant: {binary: scarab-plant, instances: 1, restart: between_trials, stop_s: 20}
+  premotor: {binary: scarab-premotor, instances: 1, restart: always, stop_s: 20}
 profiles:
   sim: {services: [logger, plant, premotor]}
 """
@@ -55,6 +55,10 @@ class FakeStackTest(unittest.TestCase):
         self.stack_file = self.folder / "stack.yaml"
         self.stack_file.write_text(STACK)
         self.addCleanup(self._end_everything)
+
+    def be_impatient(self):
+        """Services get one second to stop, in tests of a service that does not."""
+        self.stack_file.write_text(STACK.replace("stop_s: 20", "stop_s: 1"))
 
     def order(self, program, word, text="yes"):
         (self.bin / "orders" / f"{program}.{word}").write_text(text)

@@ -2,6 +2,7 @@
 
 import json
 import os
+import re
 import signal
 import subprocess
 import unittest
@@ -19,7 +20,8 @@ class Run(FakeStackTest):
     def test_starts_in_order_and_stops_in_reverse_the_logger_last(self):
         code, out, err = self.scarab("run")
         self.assertEqual(code, 0, err)
-        self.assertEqual(services(self.journal(), "start"), ORDER)
+        log = (self.run_directory() / "logs" / "launcher.log").read_text()
+        self.assertEqual(re.findall(r"started service=(\w+)", log), ["logger", "plant", "premotor"])
         self.assertEqual(services(self.journal(), "stop"), ORDER[::-1])
         self.assertIn("result: success", out)
         self.assertEqual(self.living(), [])
@@ -86,6 +88,7 @@ class Run(FakeStackTest):
         self.assertEqual(self.living(), [])
 
     def test_deaf_service_is_killed_and_named(self):
+        self.be_impatient()
         self.order("scarab-plant", "ignore-term")
         code, _, err = self.scarab("run")
         self.assertEqual(code, 0)
@@ -154,15 +157,16 @@ class Interruption(FakeStackTest):
 
     def test_at_moments_all_over_a_run(self):
         for moment in range(14):
+            started = len(self.journal())
             launcher = self.start("run")
             try:
                 launcher.wait(0.04 * moment)
             except subprocess.TimeoutExpired:
                 os.kill(launcher.pid, signal.SIGINT)
             code, _, err = self.finish(launcher)
-            # Before the launcher listens the signal just ends it; after the summary the run is done.
-            self.assertIn(code, (130, -signal.SIGINT, 0), err)
-            self.assertNotIn("Traceback", err)
+            if len(self.journal()) > started:  # else the signal may have hit Python's own start
+                self.assertIn(code, (130, 0), err)
+                self.assertNotIn("Traceback", err)
             self.assertEqual(self.living(), [])
             self.assertEqual(list(self.runs.glob("*/*.active")), [])
 
@@ -183,6 +187,7 @@ class Interruption(FakeStackTest):
 
     def test_second_one_during_a_slow_shutdown(self):
         self.order("scarab-experiment", "hold")
+        self.be_impatient()
         self.order("scarab-plant", "ignore-term")
         launcher = self.start("run")
         wait_until(self.trial_runs, "the trial runs")

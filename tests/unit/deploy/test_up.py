@@ -97,6 +97,7 @@ class Up(FakeStackTest):
         code, _, err = self.scarab("run", *self.words)
         self.assertEqual(code, 1)
         self.assertIn("trials are already running", err)
+        self.assertEqual(len(list(self.runs.glob("2*"))), 2)  # the stack's and the first run's
         self.withdraw("scarab-experiment", "hold")
         self.assertEqual(self.finish(first)[0], 0)
 
