@@ -68,6 +68,7 @@ void TopicRecorder::add_topic(const bus::DiscoveredEndpoint& writer, SampleBatch
                        writer.topic == bus::kRobotState.name});
     wait_set_.attach(*topic.reader);
     topics_.emplace(writer.topic, std::move(topic));
+    newest_reader_ = Clock::now();
     unknown_.erase(writer.topic);
     spdlog::info("records {} ({})", writer.topic, writer.type);
   } catch (const bus::Error& error) {
@@ -98,7 +99,13 @@ SampleBatch TopicRecorder::take() {
   return batch;
 }
 
-std::vector<std::string> TopicRecorder::missing(const std::vector<ChainWriter>& needed) const {
+bool TopicRecorder::has_settled(const std::string& topic, const bus::Peer& peer) {
+  const auto now = Clock::now();
+  const auto since = matched_since_.try_emplace({topic, peer}, now).first->second;
+  return now - std::max(since, newest_reader_) >= kHandshake;
+}
+
+std::vector<std::string> TopicRecorder::missing(const std::vector<ChainWriter>& needed) {
   std::vector<std::string> missing;
   for (const ChainWriter& need : needed) {
     const auto topic = topics_.find(need.topic);
@@ -109,7 +116,8 @@ std::vector<std::string> TopicRecorder::missing(const std::vector<ChainWriter>& 
     }
     for (std::uint32_t instance = 0; instance < need.count; ++instance) {
       const bus::Peer peer{need.service, instance};
-      if (matched.count(peer) == 0) {
+      if (matched.count(peer) == 0) matched_since_.erase({need.topic, peer});
+      if (matched.count(peer) == 0 || !has_settled(need.topic, peer)) {
         missing.push_back(bus::to_string(peer) + " to write " + need.topic);
       }
     }

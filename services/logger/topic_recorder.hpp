@@ -26,8 +26,8 @@ class TopicRecorder {
   SampleBatch take();
 
   /// Writers of the chain that no reader here is matched with yet, as `plant/0 to write
-  /// scarab/robot_state`.
-  std::vector<std::string> missing(const std::vector<ChainWriter>& needed) const;
+  /// scarab/robot_state`. A match counts once it is kHandshake old, for whatever topic.
+  std::vector<std::string> missing(const std::vector<ChainWriter>& needed);
   /// What keeps topics, or some of their samples, out of the log; empty when all is well.
   std::vector<std::string> faults() const;
 
@@ -43,6 +43,12 @@ class TopicRecorder {
     std::chrono::steady_clock::time_point try_again;
   };
 
+  /// Cyclone drops what a volatile writer sends before its reader has seen a heartbeat; the reader
+  /// asks for one 10 ms after the match (PreEmptiveAckDelay). Nothing tells when it has come, so a
+  /// match is given five times as long.
+  static constexpr std::chrono::milliseconds kHandshake{50};
+
+  bool has_settled(const std::string& topic, const bus::Peer& peer);
   void discover(SampleBatch& batch);
   void add_topic(const bus::DiscoveredEndpoint& writer, SampleBatch& batch);
   void take_from(Topic& topic, SampleBatch& batch);
@@ -52,6 +58,9 @@ class TopicRecorder {
   bus::Discovery discovery_;
   std::map<std::string, Topic> topics_;
   std::map<std::string, Unknown> unknown_;
+  std::chrono::steady_clock::time_point newest_reader_{};
+  /// Since when a peer has been seen matched on a topic.
+  std::map<std::pair<std::string, bus::Peer>, std::chrono::steady_clock::time_point> matched_since_;
 };
 
 }  // namespace scarab::logger

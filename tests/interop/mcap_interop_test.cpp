@@ -146,10 +146,10 @@ TEST_F(McapInterop, ReadersOfOthersAgreeWithWhatWasSent) {
   bus::Writer<scarab_WorldState> worlds(participant_, bus::kWorldState);
   bus::Writer<scarab_Behaviour> behaviours(participant_, bus::kBehaviour);
   bus::Writer<meadow_Weather> weather(participant_, bus::kMeadowWeather);
-  ASSERT_TRUE(wait_for_reader(states)) << logger->output();
-  ASSERT_TRUE(wait_for_reader(worlds)) << logger->output();
+  bus::Writer<scarab_RobotState> sensors(participant_, bus::kRobotSensors);
   ASSERT_TRUE(wait_for_reader(behaviours)) << logger->output();
   ASSERT_TRUE(wait_for_reader(weather)) << logger->output();
+  ASSERT_TRUE(wait_until_ready(1)) << logger->output();
   publish(states, worlds, behaviours, weather);
   if (HasFatalFailure()) return;
   ASSERT_TRUE(eventually([&] { return status().recorded_tick == kTicks - 1; }));

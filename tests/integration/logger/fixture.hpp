@@ -78,6 +78,14 @@ class LoggerTest : public testing::Test {
     });
   }
 
+  /// Tells the stack of a trial and waits until the recorder says that it is ready for it.
+  bool wait_until_ready(std::uint32_t trial) {
+    scarab_Trial announced{};
+    announced.header.trial = trial;
+    trials_.write(announced);
+    return eventually([&] { return status().ready_trial == trial; });
+  }
+
   /// As in lockstep: nobody runs further ahead of the recorder than a writer's history of 64
   /// samples reaches.
   bool may_write(std::uint32_t trial, std::uint32_t tick) {
@@ -106,6 +114,7 @@ class LoggerTest : public testing::Test {
                      testing::UnitTest::GetInstance()->current_test_info()->name();
   bus::Participant participant_{options("plant")};
   bus::Reader<scarab_ServiceStatus> statuses_{participant_, bus::kServiceStatus};
+  bus::Writer<scarab_Trial> trials_{participant_, bus::kTrial};
   Samples sent_;
 
  private:

@@ -19,11 +19,13 @@ std::map<std::uint8_t, std::vector<mcap::Bytes>> by_station(const std::vector<mc
 }
 
 TEST_F(Record, EverySampleOfEveryTopicWithItsIdlByteForByte) {
-  auto logger = start({"--output", (folder_ / "x.mcap").string()});
+  auto logger = start({"--output", (folder_ / "x.mcap").string(), "--expect", "plant=1"});
   bus::Writer<scarab_RobotState> states(participant_, bus::kRobotState);
+  bus::Writer<scarab_RobotState> sensors(participant_, bus::kRobotSensors);
+  bus::Writer<scarab_WorldState> worlds(participant_, bus::kWorldState);
   bus::Writer<meadow_Weather> weather(participant_, bus::kMeadowWeather);
-  ASSERT_TRUE(wait_for_reader(states)) << logger->output();
   ASSERT_TRUE(wait_for_reader(weather)) << logger->output();
+  ASSERT_TRUE(wait_until_ready(1)) << logger->output();
   std::vector<float> drops{1.5F, 2.5F};
   for (std::uint32_t tick = 0; tick < 300; ++tick) {
     ASSERT_TRUE(eventually([&] { return may_write(1, tick); }));
@@ -86,10 +88,9 @@ TEST_F(Record, TimesAreThoseOfTheWriterAndOfTheReception) {
 TEST_F(Record, SaysReadyOnlyWhenEveryExpectedWriterIsMatched) {
   auto logger = start({"--output", (folder_ / "x.mcap").string(), "--expect",
                        "plant=1,supervisor=1,premotor=1,logger=1"});
-  bus::Writer<scarab_Trial> trials(participant_, bus::kTrial);
   scarab_Trial trial{};
   trial.header.trial = 3;
-  trials.write(trial);
+  trials_.write(trial);
   bus::Writer<scarab_RobotState> states(participant_, bus::kRobotState);
   bus::Writer<scarab_RobotState> sensors(participant_, bus::kRobotSensors);
   bus::Writer<scarab_WorldState> world(participant_, bus::kWorldState);
