@@ -129,7 +129,8 @@ void Collision::leg_on_leg(std::size_t first, std::size_t second,
       const Capsule& q = b.part[j];
       const double reach = p_reach + 0.5 * (q.b - q.a).norm() + q.radius;
       if ((p_centre - 0.5 * (q.a + q.b)).squaredNorm() > reach * reach) continue;
-      bool p_end = false, q_end = false;
+      bool p_end = false;
+      bool q_end = false;
       const auto touch = touch_capsules(p, q, &p_end, &q_end);
       // At its lower end the tibia is inside the foot, which touches for it.
       if ((i == kTibiaPart && p_end) || (j == kTibiaPart && q_end)) continue;
@@ -173,7 +174,8 @@ void Collision::trunk_contacts(const Kinematics& kinematics, const Cylinder& obj
   const bool at_wall = near_wall(wall_, centre, trunk_reach_);
   // Of each side of each box (three edges) only the deepest contact with a solid counts.
   for (std::size_t side = 0; side < trunk_edges_.size(); side += 3) {
-    std::optional<Touch> on_object, on_wall;
+    std::optional<Touch> on_object;
+    std::optional<Touch> on_wall;
     const SolidId trunk{Solid::kTrunk, 0, trunk_edges_[side].body};
     const std::size_t place = side / 3;
     const BodyMotion& body = kinematics.body[trunk.body];

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace scarab::plant {
 namespace {
@@ -10,6 +11,10 @@ using Eigen::Vector2d;
 using Eigen::Vector3d;
 
 constexpr double kTiny = 1e-12;
+constexpr double kGoldenRatio = 0.6180339887498949;
+/// Square of the sine between axis and wall below which the place where they pass moves to the
+/// middle.
+constexpr double kParallel = 1e-3;
 
 /// Signed distance and outward direction at a point.
 struct Distance {
@@ -49,22 +54,24 @@ double clamp01(double t) { return std::clamp(t, 0.0, 1.0); }
 /// Smallest value on [0, 1] of a convex function, by golden section.
 template <class F>
 double minimise_convex(const F& f) {
-  constexpr double kRatio = 0.6180339887498949;
-  double low = 0, high = 1;
-  double t1 = high - kRatio, t2 = low + kRatio;
-  double f1 = f(t1), f2 = f(t2);
+  double low = 0;
+  double high = 1;
+  double t1 = high - kGoldenRatio;
+  double t2 = low + kGoldenRatio;
+  double f1 = f(t1);
+  double f2 = f(t2);
   for (int i = 0; i < 40; ++i) {
     if (f1 < f2) {
       high = t2;
       t2 = t1;
       f2 = f1;
-      t1 = high - kRatio * (high - low);
+      t1 = high - kGoldenRatio * (high - low);
       f1 = f(t1);
     } else {
       low = t1;
       t1 = t2;
       f1 = f2;
-      t2 = low + kRatio * (high - low);
+      t2 = low + kGoldenRatio * (high - low);
       f2 = f(t2);
     }
   }
@@ -119,6 +126,26 @@ double deepest(const Wall& wall, const Vector3d& a, const Vector3d& b) {
   return best;
 }
 
+/// Places s, t in [0, 1] where the segments a1 + s d1 and a2 + t d2 are closest, offset = a1 - a2:
+/// C. Ericson, Real-Time Collision Detection (2005), section 5.1.9. Parallel segments meet in the
+/// first one's middle.
+std::pair<double, double> closest_places(const Vector3d& d1, const Vector3d& d2,
+                                         const Vector3d& offset) {
+  const double a = d1.squaredNorm();
+  const double e = d2.squaredNorm();
+  const double f = d2.dot(offset);
+  if (a <= kTiny) return {0, e <= kTiny ? 0 : clamp01(f / e)};
+  const double c = d1.dot(offset);
+  if (e <= kTiny) return {clamp01(-c / a), 0};
+  const double b = d1.dot(d2);
+  const double denominator = a * e - b * b;
+  const double s = denominator > kTiny * a * e ? clamp01((b * f - c * e) / denominator) : 0.5;
+  const double t = (b * s + f) / e;
+  if (t >= 0 && t <= 1) return {s, t};
+  const double end = clamp01(t);
+  return {clamp01((b * end - c) / a), end};
+}
+
 template <class Shape>
 std::optional<Touch> touch_capsule(const Shape& shape, const Capsule& capsule, bool* at_b) {
   const double t = deepest(shape, capsule.a, capsule.b);
@@ -156,30 +183,9 @@ std::optional<Touch> touch_wall(const Wall& wall, const Capsule& capsule, bool* 
 
 std::optional<Touch> touch_capsules(const Capsule& first, const Capsule& second, bool* a_at_b,
                                     bool* b_at_b) {
-  // Closest points of two segments: C. Ericson, Real-Time Collision Detection (2005),
-  // section 5.1.9.
   const Vector3d d1 = first.b - first.a;
   const Vector3d d2 = second.b - second.a;
-  const Vector3d offset = first.a - second.a;
-  const double a = d1.squaredNorm(), e = d2.squaredNorm(), f = d2.dot(offset);
-  double s = 0, t = 0;
-  if (a <= kTiny) {
-    t = e <= kTiny ? 0 : clamp01(f / e);
-  } else {
-    const double c = d1.dot(offset);
-    if (e <= kTiny) {
-      s = clamp01(-c / a);
-    } else {
-      const double b = d1.dot(d2);
-      const double denominator = a * e - b * b;
-      s = denominator > kTiny * a * e ? clamp01((b * f - c * e) / denominator) : 0.5;
-      t = (b * s + f) / e;
-      if (t < 0 || t > 1) {
-        t = clamp01(t);
-        s = clamp01((b * t - c) / a);
-      }
-    }
-  }
+  const auto [s, t] = closest_places(d1, d2, first.a - second.a);
   if (a_at_b != nullptr) *a_at_b = s >= 1;
   if (b_at_b != nullptr) *b_at_b = t >= 1;
   const Vector3d on_first = first.a + s * d1;
@@ -213,7 +219,6 @@ AxisTouches cylinder_on_wall(const Cylinder& cylinder, const Wall& wall) {
   const Vector3d& u = cylinder.axis;
   // Where the axis passes closest over the wall's top; a regularised quotient, so that it goes to
   // the middle as axis and wall become parallel.
-  constexpr double kParallel = 1e-3;
   const Vector2d across(u.x(), u.z());
   const Vector2d offset(cylinder.centre.x() - wall.x, cylinder.centre.z() - wall.height);
   const double pass = std::clamp(-offset.dot(across) / (across.squaredNorm() + kParallel),

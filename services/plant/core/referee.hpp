@@ -34,7 +34,7 @@ class Referee {
  public:
   Referee(const RefereeConfig& config, const TrialSpec& trial, const Wall& wall);
 
-  [[nodiscard]] Ruling judge(const Standing& standing) const;
+  [[nodiscard]] Ruling judge(const Standing& now) const;
 
  private:
   RefereeConfig config_;

@@ -14,8 +14,8 @@ class RobotTree {
  public:
   explicit RobotTree(const Morphology& morphology);
   ~RobotTree();
-  RobotTree(RobotTree&&) noexcept;
-  RobotTree& operator=(RobotTree&&) noexcept;
+  RobotTree(RobotTree&& other) noexcept;
+  RobotTree& operator=(RobotTree&& other) noexcept;
   RobotTree(const RobotTree&) = delete;
   RobotTree& operator=(const RobotTree&) = delete;
 

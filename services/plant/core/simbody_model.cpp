@@ -7,9 +7,9 @@ SimTK::Vec3 to_simtk(const Eigen::Vector3d& v) { return {v.x(), v.y(), v.z()}; }
 
 Eigen::Vector3d to_eigen(const SimTK::Vec3& v) { return {v[0], v[1], v[2]}; }
 
-SimTK::Rotation to_simtk(const Eigen::Matrix3d& R) {
-  return SimTK::Rotation(SimTK::Mat33(R(0, 0), R(0, 1), R(0, 2), R(1, 0), R(1, 1), R(1, 2), R(2, 0),
-                                      R(2, 1), R(2, 2)));
+SimTK::Rotation to_simtk(const Eigen::Matrix3d& turn) {
+  return SimTK::Rotation(SimTK::Mat33(turn(0, 0), turn(0, 1), turn(0, 2), turn(1, 0), turn(1, 1),
+                                      turn(1, 2), turn(2, 0), turn(2, 1), turn(2, 2)));
 }
 
 SimTK::Body::Rigid rigid(const BodyMass& mass) {
@@ -24,7 +24,7 @@ SimTK::Body::Rigid rigid(const BodyMass& mass) {
 
 /// Simbody's pin turns about z: a rotation that takes z to `axis`.
 SimTK::Rotation pin_frame(const Eigen::Vector3d& axis) {
-  return SimTK::Rotation(SimTK::UnitVec3(to_simtk(axis)), SimTK::ZAxis);
+  return {SimTK::UnitVec3(to_simtk(axis)), SimTK::ZAxis};
 }
 
 }  // namespace
@@ -111,16 +111,16 @@ MotionState SimbodyModel::read(const SimTK::State& state) const {
 void SimbodyModel::read_kinematics(const SimTK::State& state, Kinematics& kinematics) const {
   for (std::size_t i = 0; i < kBodyCount; ++i) {
     const SimTK::MobilizedBody& mobilised = matter.getMobilizedBody(body[i]);
-    const SimTK::Transform& X = mobilised.getBodyTransform(state);
-    const SimTK::SpatialVec& V = mobilised.getBodyVelocity(state);
+    const SimTK::Transform& pose = mobilised.getBodyTransform(state);
+    const SimTK::SpatialVec& velocity = mobilised.getBodyVelocity(state);
     BodyMotion& motion = kinematics.body[i];
     for (int row = 0; row < 3; ++row) {
       for (int column = 0; column < 3; ++column)
-        motion.R_world_body(row, column) = X.R()[row][column];
+        motion.R_world_body(row, column) = pose.R()[row][column];
     }
-    motion.position = to_eigen(X.p());
-    motion.angular_velocity = to_eigen(V[0]);
-    motion.velocity = to_eigen(V[1]);
+    motion.position = to_eigen(pose.p());
+    motion.angular_velocity = to_eigen(velocity[0]);
+    motion.velocity = to_eigen(velocity[1]);
   }
   for (std::size_t i = kFrontTrunkBody; i < kObjectBody; ++i) {
     const Mounting& mount = morphology_.mounting[i];

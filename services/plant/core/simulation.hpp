@@ -23,8 +23,8 @@ class Simulation {
   /// std::invalid_argument naming what is inconsistent.
   Simulation(const robot::RobotModel& robot, const PlantConfig& config, const TrialSpec& trial);
   ~Simulation();
-  Simulation(Simulation&&) noexcept;
-  Simulation& operator=(Simulation&&) noexcept;
+  Simulation(Simulation&& other) noexcept;
+  Simulation& operator=(Simulation&& other) noexcept;
   Simulation(const Simulation&) = delete;
   Simulation& operator=(const Simulation&) = delete;
 
