@@ -238,7 +238,11 @@ void TickMaster::take_operator() {
   const auto requests = desk_.update();
   if (requests.stop && !body_.verdict()) body_.end({false, *requests.stop});
   if (requests.emergency_stop) gate_.emergency_stop(*requests.emergency_stop);
-  if (requests.reset) gate_.reset();
+  if (requests.reset && gate_.in_safe_stop()) {
+    gate_.reset();
+    status_.set_health(scarab_HEALTH_OK);
+  }
+  if (requests.emergency_stop || requests.reset) report_gate();
 }
 
 void TickMaster::take_commands() {
@@ -276,6 +280,9 @@ std::string TickMaster::who_is_silent() const {
 
 void TickMaster::report_gate() {
   for (const auto& [name, value] : gate_.counters().named()) status_.set_counter(name, value);
+  if (gate_.in_safe_stop()) {
+    status_.set_health(scarab_HEALTH_DEGRADED, "safe stop: " + gate_.safe_stop_reason());
+  }
 }
 
 }  // namespace scarab::runtime

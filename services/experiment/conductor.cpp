@@ -62,8 +62,8 @@ std::uint32_t Conductor::next_trial() const {
 Outcome Conductor::run(scarab_Trial trial, std::chrono::seconds silence_limit) {
   TrialWatch watch(trial);
   watch_ = &watch;
-  heard_ = Clock::now();
-  trial.header.stamp_ns = bus::now_ns();
+  told_ = heard_ = plant_seen_ = Clock::now();
+  told_ns_ = trial.header.stamp_ns = bus::now_ns();
   trials_.write(trial);
   std::size_t shown = 0;
   while (!watch.ended()) {
@@ -100,13 +100,19 @@ void Conductor::show_changes(const Outcome& outcome, std::size_t& shown) const {
 void Conductor::watch_for_trouble(TrialWatch& watch, std::chrono::seconds silence_limit) {
   if (watch.ended()) return;
   for (const auto& [peer, report] : board_.reports()) {
-    if (report.health == scarab_HEALTH_FAULT) {
+    if (report.health == scarab_HEALTH_FAULT && !left_over(report)) {
       watch.fail(bus::to_string(peer) + ": " + report.message);
       return;
     }
     if (report.health == scarab_HEALTH_WAITING && listener_.waiting) {
       listener_.waiting(bus::to_string(peer) + " " + report.message);
     }
+  }
+  // Nobody restarts a plant in the middle of a trial.
+  if (expect_.count("plant") == 0 || board_.find({"plant", 0})) plant_seen_ = Clock::now();
+  if (Clock::now() - plant_seen_ > kPatience) {
+    watch.fail("plant/0 is gone");
+    return;
   }
   if (Clock::now() - heard_ > silence_limit) {
     std::string reason =
@@ -115,6 +121,11 @@ void Conductor::watch_for_trouble(TrialWatch& watch, std::chrono::seconds silenc
     if (!missing.empty()) reason += "; gone: " + runtime::join(missing);
     watch.fail(reason);
   }
+}
+
+/// The fault is of the trial before: the service has had no time yet to say better.
+bool Conductor::left_over(const runtime::ServiceReport& report) const {
+  return report.header.stamp_ns < told_ns_ && Clock::now() - told_ < kPatience;
 }
 
 /// The last answers of the trial, and their record: so that whoever stops the stack now loses

@@ -48,6 +48,7 @@ class Conductor {
   void wait(std::chrono::milliseconds timeout);
   void show_changes(const Outcome& outcome, std::size_t& shown) const;
   void watch_for_trouble(TrialWatch& watch, std::chrono::seconds silence_limit);
+  [[nodiscard]] bool left_over(const runtime::ServiceReport& report) const;
   void await_record(const TrialWatch& watch);
 
   runtime::Expectation expect_;
@@ -61,7 +62,10 @@ class Conductor {
   runtime::StatusBoard board_;
   runtime::Shutdown shutdown_;
   TrialWatch* watch_ = nullptr;
-  std::chrono::steady_clock::time_point heard_{};  // from the running trial
+  std::chrono::steady_clock::time_point heard_{};       // from the running trial
+  std::chrono::steady_clock::time_point told_{};        // the running trial was
+  std::chrono::steady_clock::time_point plant_seen_{};  // on the board
+  std::int64_t told_ns_ = 0;                            // as the trial's stamp
 };
 
 }  // namespace scarab::experiment

@@ -42,9 +42,11 @@ class StatusWatch {
   std::optional<Report> await_health(const bus::Peer& peer, scarab_Health health) {
     return await(peer, [&](const Report& report) { return report.health == health; });
   }
-  std::optional<Report> await_message(const bus::Peer& peer, const std::string& part) {
+  std::optional<Report> await_message(const bus::Peer& peer, const std::string& part,
+                                      std::chrono::milliseconds limit = kPatience) {
     return await(
-        peer, [&](const Report& report) { return report.message.find(part) != std::string::npos; });
+        peer, [&](const Report& report) { return report.message.find(part) != std::string::npos; },
+        limit);
   }
   bool await_gone(const bus::Peer& peer) {
     return eventually([&] {

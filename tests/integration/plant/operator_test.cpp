@@ -1,0 +1,121 @@
+#include "tests/integration/plant/fixture.hpp"
+
+namespace scarab::test {
+namespace {
+
+using testing::HasSubstr;
+
+/// What a person says with scarab-operator, on a plant in the middle of a trial.
+class Operator : public PlantProcess {
+ protected:
+  static int say(const std::string& command, const std::string& reason = "") {
+    Arguments arguments = {program("scarab-operator"), "--tag", test_tag(), command};
+    if (!reason.empty()) arguments.insert(arguments.end(), {"--reason", reason});
+    return test::run(arguments).exit_code;
+  }
+  /// Answers until the plant says it is paused; the tick it stands before.
+  std::optional<std::uint32_t> answer_until_paused(std::uint32_t tick) {
+    const bool paused = eventually([&] {
+      for (; ends_.states().count(1, tick) > 0; ++tick) {
+        ends_.answer(*ends_.states().await(1, tick));
+      }
+      return status_.await_message(self_, "paused by the operator", std::chrono::milliseconds(1))
+          .has_value();
+    });
+    if (!paused) return std::nullopt;
+    return tick;
+  }
+};
+
+TEST_F(Operator, PauseHoldsStepLetsOneTickThroughStartGoesOn) {
+  ASSERT_TRUE(begin());
+  ASSERT_TRUE(ends_.run(1, 0, 4));
+  ASSERT_EQ(say("pause"), 0);
+  const auto next = answer_until_paused(5);
+  ASSERT_TRUE(next) << child_.err();
+  ASSERT_EQ(ends_.states().count(1, *next), 0U);
+
+  ASSERT_EQ(say("step"), 0);
+  auto state = ends_.states().await(1, *next);
+  ASSERT_TRUE(state) << child_.err();
+  ends_.answer(*state);
+  EXPECT_FALSE(ends_.states().await(1, *next + 1, std::chrono::milliseconds(300)));
+
+  ASSERT_EQ(say("start"), 0);
+  EXPECT_TRUE(ends_.run(1, *next + 1, *next + 10)) << child_.err();
+  EXPECT_TRUE(healthy());
+}
+
+TEST_F(Operator, StopEndsTheTrialWithTheReason) {
+  ASSERT_TRUE(begin());
+  const auto state = ends_.run(1, 0, 4);
+  ASSERT_TRUE(state);
+  ASSERT_EQ(say("stop", "lunch"), 0);
+  ends_.answer(*state);
+  const auto verdict = world_.await(1);
+  ASSERT_TRUE(verdict) << child_.err();
+  EXPECT_EQ(verdict->verdict, scarab_VERDICT_FAILURE);
+  EXPECT_EQ(verdict->reason, "operator stop: lunch");
+}
+
+TEST_F(Operator, StopEndsAPausedTrial) {
+  ASSERT_TRUE(begin());
+  ASSERT_TRUE(ends_.run(1, 0, 4));
+  ASSERT_EQ(say("pause"), 0);
+  ASSERT_TRUE(answer_until_paused(5));
+  ASSERT_EQ(say("stop"), 0);
+  const auto verdict = world_.await(1);
+  ASSERT_TRUE(verdict) << child_.err();
+  EXPECT_THAT(verdict->reason, HasSubstr("operator stop"));
+}
+
+TEST_F(Operator, EmergencyStopHoldsTheRobotUntilReset) {
+  ASSERT_TRUE(begin());
+  const auto state = ends_.run(1, 0, 4);
+  ASSERT_TRUE(state);
+  ASSERT_EQ(say("emergency-stop", "smoke"), 0);
+  const auto report = status_.await_message(self_, "safe stop: operator emergency stop: smoke");
+  ASSERT_TRUE(report) << child_.err();
+  EXPECT_EQ(report->health, scarab_HEALTH_DEGRADED);
+  EXPECT_TRUE(counted("safe_stops", 1));
+
+  // Commands to move on are taken but not applied.
+  auto held = *state;
+  for (std::uint32_t tick = 5; tick < 25; ++tick) {
+    const auto now = ends_.states().await(1, tick);
+    ASSERT_TRUE(now) << child_.err();
+    if (tick > 5) {
+      EXPECT_EQ(now->phase, scarab_PHASE_SAFE_STOP) << "tick " << tick;
+    }
+    auto command = ChainEnds::command_for(*now);
+    for (double& angle : command.position_rad) angle += 0.3;
+    ends_.behave(*now);
+    ends_.command(command);
+    held = *now;
+  }
+  for (std::size_t joint = 0; joint < std::size(held.position_rad); ++joint) {
+    EXPECT_NEAR(held.position_rad[joint], state->position_rad[joint], 0.1) << "joint " << joint;
+  }
+  EXPECT_TRUE(counted("commands_refused_safe_stop", 20));
+
+  ASSERT_EQ(say("reset"), 0);
+  std::uint32_t tick = 25;
+  EXPECT_TRUE(eventually([&] {
+    const auto now = ends_.states().await(1, tick++);
+    if (!now) return true;
+    ends_.answer(*now);
+    return now->phase == scarab_PHASE_RUNNING;
+  }));
+  EXPECT_EQ(ends_.states().all().back().phase, scarab_PHASE_RUNNING) << child_.err();
+  EXPECT_TRUE(healthy());
+}
+
+TEST_F(Operator, NobodyListeningIsAFailure) {
+  const auto result =
+      test::run({program("scarab-operator"), "--tag", test_tag() + "-elsewhere", "pause"});
+  EXPECT_EQ(result.exit_code, 1);
+  EXPECT_THAT(result.err, HasSubstr("nobody listens on scarab/operator"));
+}
+
+}  // namespace
+}  // namespace scarab::test
