@@ -11,12 +11,16 @@ fail() {
   exit 1
 }
 
-# packages_of GROUP...: the packages of these sections of packages.txt.
+# packages_of GROUP...: the packages of these sections of packages.txt, but for those whose command is there.
 packages_of() {
+  local package program
   awk -v wanted=" $* " '
     /^[ \t]*(#|$)/ { next }
     /^\[/ { section = substr($1, 2, length($1) - 2); next }
-    index(wanted, " " section " ") { print $1 }' "$scarab_root/deploy/packages.txt"
+    index(wanted, " " section " ") { print $1, $2 }' "$scarab_root/deploy/packages.txt" |
+    while read -r package program; do
+      [ -n "$program" ] && command -v "$program" >/dev/null || echo "$package"
+    done
 }
 
 # missing_packages GROUP...: those that are not installed.
