@@ -1,0 +1,127 @@
+#include <gmock/gmock.h>
+
+#include <algorithm>
+
+#include "tests/support/files.hpp"
+#include "tests/support/status_watch.hpp"
+#include "tests/system/stack.hpp"
+#include "tests/system/trial_log.hpp"
+#include "tests/system/view.hpp"
+
+namespace scarab::test {
+namespace {
+
+using testing::HasSubstr;
+using testing::Not;
+
+constexpr std::chrono::seconds kTrialLimit{60};
+
+/// A trial that is disturbed, to be compared with one that is not (the in-process one: equal to
+/// that of the processes by the lockstep test).
+class Crash : public testing::Test {
+ protected:
+  Crash() {
+    const auto sim = run(simulate(undisturbed_), kTrialLimit);
+    EXPECT_LE(sim.exit_code, 1) << sim.out << sim.err;
+    last_tick_ = read_trial(undisturbed_).ticks.back();
+  }
+  /// Until the trial has gone that far, from 0 to 1, and is still under way.
+  bool await_part(double part) {
+    return view_.await_tick(static_cast<std::int64_t>(part * static_cast<double>(last_tick_))) &&
+           view_.tick() < last_tick_;
+  }
+  /// Lets the trial end, and the stack.
+  static void finish(Stack& stack, ChildProcess& experiment) {
+    const auto code = experiment.wait(kTrialLimit);
+    ASSERT_TRUE(code) << "the trial does not end\n" << experiment.out() << stack.errors();
+    EXPECT_THAT(experiment.out(), HasSubstr("result: ")) << experiment.err();
+    stack.stop();
+  }
+  void expect_as_undisturbed(const Stack& stack) const {
+    const auto result = compare(undisturbed_, stack.log());
+    EXPECT_EQ(result.exit_code, 0) << result.out << result.err << stack.errors();
+  }
+
+  TemporaryDirectory directory_;
+  const std::filesystem::path undisturbed_ = directory_ / "undisturbed.mcap";
+  std::int64_t last_tick_ = 0;
+  View view_;
+  StatusWatch status_;
+};
+
+TEST_F(Crash, KilledAndRestartedServicesLeaveTheTrialAsItWas) {
+  Stack stack(directory_ / "stack");
+  auto experiment = stack.conduct(main_trial());
+  const std::pair<double, const char*> kills[] = {{0.01, "premotor"}, {0.1, "supervisor"},
+                                                  {0.3, "premotor"},  {0.31, "supervisor"},
+                                                  {0.6, "premotor"},  {0.9, "supervisor"}};
+  for (const auto& [part, name] : kills) {
+    ASSERT_TRUE(await_part(part)) << experiment.out() << stack.errors();
+    stack.kill(name);
+    stack.restart(name);
+  }
+  finish(stack, experiment);
+  EXPECT_THAT(experiment.out(), Not(HasSubstr("has not answered"))) << stack.errors();
+  expect_as_undisturbed(stack);
+}
+
+TEST_F(Crash, BothAtOnce) {
+  Stack stack(directory_ / "stack");
+  auto experiment = stack.conduct(main_trial());
+  ASSERT_TRUE(await_part(0.2)) << experiment.out() << stack.errors();
+  stack.kill("premotor");
+  stack.kill("supervisor");
+  stack.restart("premotor");
+  stack.restart("supervisor");
+  finish(stack, experiment);
+  expect_as_undisturbed(stack);
+}
+
+TEST_F(Crash, ReplicaGoesOnWithoutAPause) {
+  Stack::Options options;
+  options.premotors = 2;
+  Stack stack(directory_ / "stack", options);
+  auto experiment = stack.conduct(main_trial());
+  ASSERT_TRUE(await_part(0.3)) << experiment.out() << stack.errors();
+  const auto killed_at = static_cast<std::size_t>(view_.tick());
+  stack.kill("premotor", 0);
+  finish(stack, experiment);
+  EXPECT_THAT(stack.service("plant").err(), Not(HasSubstr("has not answered")));
+  // The longest time between two ticks: less than a restart or a time-out would take.
+  const auto stamps_ns = read_trial(stack.log()).stamps_ns;
+  std::int64_t longest_ns = 0;
+  for (std::size_t i = killed_at; i < stamps_ns.size(); ++i) {
+    longest_ns = std::max(longest_ns, stamps_ns[i] - stamps_ns[i - 1]);
+  }
+  EXPECT_GT(longest_ns, 0);
+  EXPECT_LT(longest_ns, 500'000'000);
+  expect_as_undisturbed(stack);
+}
+
+TEST_F(Crash, ReplicaThatIsRestartedTakesPartAgain) {
+  Stack::Options options;
+  options.premotors = 2;
+  Stack stack(directory_ / "stack", options);
+  auto experiment = stack.conduct(main_trial());
+  for (const std::uint32_t instance : {0U, 1U}) {  // in the end neither is the one of the start
+    ASSERT_TRUE(await_part(0.2 + 0.4 * instance)) << experiment.out() << stack.errors();
+    stack.kill("premotor", instance);
+    stack.restart("premotor", instance);
+    const bus::Peer peer{"premotor", instance};
+    ASSERT_TRUE(status_.await_ready(peer, 1, stack.service("premotor", instance).pid()));
+  }
+  finish(stack, experiment);
+  expect_as_undisturbed(stack);
+}
+
+TEST_F(Crash, KillOfThePlantFailsTheTrialSoon) {
+  Stack stack(directory_ / "stack");
+  auto experiment = stack.conduct(main_trial());
+  ASSERT_TRUE(await_part(0.1)) << experiment.out() << stack.errors();
+  stack.kill("plant");
+  EXPECT_EQ(experiment.wait(std::chrono::seconds(10)), 1) << experiment.out();
+  EXPECT_THAT(experiment.out(), HasSubstr("plant/0"));
+}
+
+}  // namespace
+}  // namespace scarab::test

@@ -1,0 +1,85 @@
+#include "tests/system/stack.hpp"
+
+#include "tests/support/test_bus.hpp"
+
+namespace scarab::test {
+
+Stack::Stack(const std::filesystem::path& directory, const Options& options)
+    : directory_(directory),
+      expect_("logger=1,plant=1,supervisor=1,premotor=" + std::to_string(options.premotors)) {
+  std::filesystem::create_directories(directory_);
+  for (const auto* name : {"logger", "plant", "supervisor"}) {
+    services_.emplace(Key{name, 0}, launch({name, 0}));
+  }
+  for (std::uint32_t instance = 0; instance < options.premotors; ++instance) {
+    services_.emplace(Key{"premotor", instance}, launch({"premotor", instance}));
+  }
+}
+
+ChildProcess Stack::launch(const Key& key) const {
+  Arguments more;
+  if (key.first == "logger") more = {"--output", log()};
+  return start({key.first, expect_, directory_, key.second, more});
+}
+
+ChildProcess& Stack::service(const std::string& name, std::uint32_t instance) {
+  return services_.at({name, instance});
+}
+
+void Stack::kill(const std::string& name, std::uint32_t instance) {
+  service(name, instance).kill();
+}
+
+void Stack::restart(const std::string& name, std::uint32_t instance) {
+  const Key key{name, instance};
+  services_.erase(key);
+  services_.emplace(key, launch(key));
+}
+
+ChildProcess Stack::conduct(const Arguments& options) const {
+  Arguments command = {program("scarab-experiment"), "--tag", test_tag(), "--expect", expect_};
+  command.insert(command.end(), options.begin(), options.end());
+  return {command, directory_ / "experiment"};
+}
+
+bool Stack::stop() {
+  bool clean = true;
+  const auto stop_all = [&](bool loggers) {
+    for (auto& [key, child] : services_) {
+      if ((key.first == "logger") != loggers || !child.running()) continue;
+      clean = child.stop(std::chrono::seconds(20)) == 0 && clean;
+    }
+  };
+  stop_all(false);
+  stop_all(true);
+  return clean;
+}
+
+std::string Stack::errors() const {
+  std::string text;
+  for (const auto& [key, child] : services_) {
+    text += "--- " + key.first + "/" + std::to_string(key.second) + "\n" + child.err();
+  }
+  return text;
+}
+
+Arguments main_trial() { return {"--strategy", "soft+hard", "--height", "0.10", "--seed", "1"}; }
+
+Arguments simulate(const std::filesystem::path& output) {
+  Arguments command = {program("scarab-sim"),
+                       "--robot",
+                       source_file("config/robot/beetle.yaml"),
+                       "--plant",
+                       source_file("config/plant/default.yaml"),
+                       "--premotor",
+                       source_file("config/premotor/f2.yaml"),
+                       "--supervisor",
+                       source_file("config/supervisor/f2.yaml"),
+                       "--output",
+                       output};
+  const Arguments trial = main_trial();
+  command.insert(command.end(), trial.begin(), trial.end());
+  return command;
+}
+
+}  // namespace scarab::test

@@ -1,0 +1,53 @@
+#pragma once
+
+#include <filesystem>
+#include <map>
+#include <string>
+
+#include "tests/support/programs.hpp"
+
+namespace scarab::test {
+
+/// A stack of real services, up as long as the object, on the running test's tag.
+class Stack {
+ public:
+  struct Options {
+    unsigned premotors = 1;
+  };
+
+  /// Starts all services; `directory` is made and becomes their run directory.
+  explicit Stack(const std::filesystem::path& directory, const Options& options);
+  explicit Stack(const std::filesystem::path& directory) : Stack(directory, Options{}) {}
+
+  ChildProcess& service(const std::string& name, std::uint32_t instance = 0);
+  /// SIGKILL.
+  void kill(const std::string& name, std::uint32_t instance = 0);
+  /// Starts one anew that was killed.
+  void restart(const std::string& name, std::uint32_t instance = 0);
+  /// Starts the experiment service with these options.
+  [[nodiscard]] ChildProcess conduct(const Arguments& options) const;
+  /// Ends all services that live, the logger last; true if all ended with exit code 0.
+  bool stop();
+
+  /// The closed log, once the stack is stopped.
+  [[nodiscard]] std::filesystem::path log() const { return directory_ / "trial.mcap"; }
+  [[nodiscard]] const std::filesystem::path& directory() const { return directory_; }
+  /// What all services have said on stderr.
+  [[nodiscard]] std::string errors() const;
+
+ private:
+  using Key = std::pair<std::string, std::uint32_t>;
+  [[nodiscard]] ChildProcess launch(const Key& key) const;
+
+  std::filesystem::path directory_;
+  std::string expect_;
+  std::map<Key, ChildProcess> services_;
+};
+
+/// The trial of the main job: two changes of mode, over the paper's highest obstacle.
+Arguments main_trial();
+
+/// The arguments of scarab-sim with the shipped files.
+Arguments simulate(const std::filesystem::path& output);
+
+}  // namespace scarab::test
