@@ -23,15 +23,16 @@ namespace scarab::runtime {
 /// it had answered already, the next one if not.
 ///
 /// Link supplies:
-///   using Question = ...;                                        // IDL type with a Header
-///   using State = ...;                                           // trivially copyable
-///   static constexpr std::uint32_t kStateLayout;                 // changes when State does
-///   void begin(const scarab_Trial&, State&);                     // state at tick -1; throws
-///   std::exception on a bad trial void advance(State&, const Question&);                       //
-///   state k-1 -> state k void answer(const State&, const Question&);                  // publishes
-///   the answer of state k bool ends(const Question&);                                  // this
-///   question is the trial's last std::optional<RecordKey> adopt(std::uint32_t trial, State&); // a
-///   living replica's state, if there is one
+///  - `Question`, an IDL type with a Header, and `State`, trivially copyable;
+///  - `kStateLayout`, a std::uint32_t that changes when State does;
+///  - `void begin(const scarab_Trial&, State&)`: the state at tick -1; throws std::exception on a
+///  bad
+///    trial;
+///  - `void advance(State&, const Question&)`: from state k-1 to state k;
+///  - `void answer(const State&, const Question&)`: publishes the answer of state k;
+///  - `bool ends(const Question&)`: this question is the trial's last;
+///  - `std::optional<RecordKey> adopt(std::uint32_t trial, State&)`: a living replica's state, if
+///    there is one.
 template <class Link>
 class ChainResponder {
  public:
@@ -68,7 +69,7 @@ class ChainResponder {
     while (!shutdown_.requested()) {
       // While peers are missing their arrival is looked for every few milliseconds; else only
       // samples wake us.
-      wait_set_.wait(waiting_for_peers() ? kPeerPoll : kIdlePoll);
+      wait_set_.wait(waiting_for_peers() || !held_.empty() ? kPeerPoll : kIdlePoll);
       take_trials();
       take_questions();
       if (waiting_for_peers()) check_peers();
@@ -96,6 +97,7 @@ class ChainResponder {
   void begin(const scarab_Trial& trial) {
     trial_ = trial.header.trial;
     ready_ = false;
+    gap_since_.reset();
     waiting_since_ = std::chrono::steady_clock::now();
     tick_ = -1;
     status_.set_lifecycle(scarab_LIFECYCLE_INACTIVE);
@@ -140,18 +142,18 @@ class ChainResponder {
 
   void answer_held() {
     while (!held_.empty() && held_.front().header.trial <= trial_) {
-      if (held_.front().header.trial == trial_) answer(held_.front());
+      if (held_.front().header.trial == trial_ && !answer(held_.front())) return;
       held_.pop_front();
     }
   }
 
-  void answer(const Question& question) {
+  /// False: cannot yet, for a replica's state may still come.
+  bool answer(const Question& question) {
     const auto tick = static_cast<std::int64_t>(question.header.tick);
     if (tick > tick_ + 1) adopt_replica();
-    if (tick > tick_ + 1 || tick < tick_) {
-      if (tick > tick_) report_gap(tick);
-      return;
-    }
+    if (tick > tick_ + 1) return give_up(tick);
+    gap_since_.reset();
+    if (tick < tick_) return true;
     if (tick == tick_ + 1) {
       link_.advance(state_, question);
       tick_ = tick;
@@ -160,6 +162,7 @@ class ChainResponder {
     link_.answer(state_, question);
     status_.set_progress(question.header);
     if (link_.ends(question)) status_.set_lifecycle(scarab_LIFECYCLE_INACTIVE);
+    return true;
   }
 
   void adopt_replica() {
@@ -172,9 +175,14 @@ class ChainResponder {
                        "took over the state of a living replica at tick " + std::to_string(tick_));
   }
 
-  void report_gap(std::int64_t tick) {
+  /// Once a gap has lasted: reports it, true.
+  bool give_up(std::int64_t tick) {
+    const auto now = std::chrono::steady_clock::now();
+    if (!gap_since_) gap_since_ = now;
+    if (now - *gap_since_ < kPatience) return false;
     status_.set_health(scarab_HEALTH_FAULT, "cannot answer tick " + std::to_string(tick) +
                                                 ": last state is of tick " + std::to_string(tick_));
+    return true;
   }
 
   Link& link_;
@@ -192,6 +200,7 @@ class ChainResponder {
   bool ready_ = false;
   bool refused_ = false;
   std::chrono::steady_clock::time_point waiting_since_{};
+  std::optional<std::chrono::steady_clock::time_point> gap_since_;  // questions are ahead of state_
   State state_{};
   std::deque<Question> held_;
 };

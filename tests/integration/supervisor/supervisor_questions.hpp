@@ -35,7 +35,9 @@ struct Supervisor {
     state.phase = scarab_PHASE_RUNNING;
     for (std::size_t joint = 0; joint < std::size(state.position_rad); ++joint) {
       state.position_rad[joint] = 0.4 * std::sin(0.2 * tick + static_cast<double>(joint));
+      state.position_source[joint] = scarab_SOURCE_MEASURED;
     }
+    state.imu_source = scarab_SOURCE_MEASURED;
     state.inclination_rad[1] = std::min(0.02 * tick, 0.4);
     return state;
   }
