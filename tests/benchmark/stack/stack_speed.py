@@ -1,0 +1,139 @@
+#!/usr/bin/python3
+"""Speed of the plant alone, of the cores in one process and of the whole stack, against real time."""
+
+import argparse
+import json
+import re
+import statistics
+import subprocess
+import sys
+import tempfile
+import uuid
+from pathlib import Path
+from typing import List, Tuple
+
+ROOT = Path(__file__).resolve().parents[3]
+PLANT_AIM = 80   # x real time, on one core
+STACK_AIM = 40   # x real time, on two cores
+TRIAL_LIMIT_S = 300
+_RESULT = re.compile(r"^result: \w+ after ([\d.]+) s.*; ([\d.]+) x real time\)$", re.MULTILINE)
+
+_HELP = """A trial's speed is its simulated time over the wall time from its first tick to its last.
+All three are measured in this one run, so that their ratios mean something on a noisy machine.
+
+example:
+  tests/benchmark/stack/stack_speed.py --bin build/release/bin --repeats 5
+"""
+
+
+def shipped(service: str) -> List[str]:
+    """Robot and configuration file of a service."""
+    config = {"plant": "plant/default.yaml", "premotor": "premotor/f2.yaml",
+              "supervisor": "supervisor/f2.yaml"}
+    words = []
+    if service in ("plant", "premotor"):
+        words += ["--robot", str(ROOT / "config/robot/beetle.yaml")]
+    if service in config:
+        words += ["--config", str(ROOT / "config" / config[service])]
+    return words
+
+
+def trial_options(options: argparse.Namespace) -> List[str]:
+    words = ["--strategy", "soft+hard", "--height", "0.10", "--seed", "1", "--quiet"]
+    if options.time_limit is not None:
+        words += ["--time-limit", str(options.time_limit)]
+    return words
+
+
+def speed_of(output: str) -> Tuple[float, float]:
+    """Simulated seconds and speed of the one trial that `output` reports."""
+    found = _RESULT.search(output)
+    if not found:
+        raise RuntimeError(f"no result in: {output}")
+    return float(found[1]), float(found[2])
+
+
+def finish(command: List[str]) -> str:
+    """Stdout of a program that ends by itself; a failed trial is no failure here."""
+    done = subprocess.run(command, stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True,
+                          timeout=TRIAL_LIMIT_S, check=False)
+    if done.returncode not in (0, 1):
+        raise RuntimeError(f"{command[0]} ended with {done.returncode}: {done.stderr}")
+    return done.stdout
+
+
+def simulate(options: argparse.Namespace) -> Tuple[float, float]:
+    command = [str(options.bin / "scarab-sim"), "--robot", str(ROOT / "config/robot/beetle.yaml")]
+    for service in ("plant", "premotor", "supervisor"):
+        command += ["--" + service, shipped(service)[-1]]
+    return speed_of(finish(command + trial_options(options)))
+
+
+def run_stack(options: argparse.Namespace) -> Tuple[float, float]:
+    """One trial on a fresh stack of processes with the logger, in lockstep."""
+    bus = ["--tag", f"stack-speed-{uuid.uuid4()}",
+           "--expect", "logger=1,plant=1,supervisor=1,premotor=1"]
+    services = []
+    with tempfile.TemporaryDirectory(prefix="scarab-speed-") as run_dir:
+        try:
+            for service in ("logger", "plant", "supervisor", "premotor"):
+                command = [str(options.bin / f"scarab-{service}"), *bus, "--run-dir", run_dir,
+                           *shipped(service)]
+                if service == "logger":
+                    command += ["--output", f"{run_dir}/trial.mcap"]
+                services.append(subprocess.Popen(command, stderr=subprocess.DEVNULL))
+            return speed_of(finish([str(options.bin / "scarab-experiment"), *bus,
+                                    *trial_options(options)]))
+        finally:
+            for service in reversed(services):  # the logger last
+                service.terminate()
+                service.wait(timeout=20)
+
+
+def plant_speed(options: argparse.Namespace) -> float:
+    """Of the plant's own benchmark: pushing, at the step of the shipped configuration."""
+    step_us = round(float(re.search(r"^\s*step_s:\s*([\d.e-]+)", Path(shipped("plant")[-1]).read_text(),
+                                    re.MULTILINE)[1]) * 1e6)
+    output = finish([str(options.bin / "benchmark_plant"), "--benchmark_format=json",
+                     f"--benchmark_filter=pushing/step_us:{step_us}/"])
+    benchmarks = json.loads(output)["benchmarks"]
+    if not benchmarks:
+        raise RuntimeError(f"benchmark_plant has no pushing at a step of {step_us} us")
+    return benchmarks[0]["real_time_factor"]
+
+
+def row(name: str, speeds: List[float], aim: str) -> str:
+    return (f"{name:<34} {statistics.median(speeds):7.1f} x real time   "
+            f"({min(speeds):.1f} to {max(speeds):.1f} of {len(speeds)}){aim}")
+
+
+def main() -> int:
+    parser = argparse.ArgumentParser(description=__doc__, epilog=_HELP,
+                                     formatter_class=argparse.RawDescriptionHelpFormatter)
+    parser.add_argument("--bin", type=Path, default=ROOT / "build/release/bin",
+                        help="compiled programs (build/release/bin)")
+    parser.add_argument("--repeats", type=int, default=3, help="trials of each kind (3)")
+    parser.add_argument("--time-limit", type=float, help="end the trials after so many simulated s")
+    options = parser.parse_args()
+    if options.repeats < 1:
+        parser.error("--repeats must be at least 1")
+    sims, stacks, plants = [], [], []
+    try:
+        for _ in range(options.repeats):  # in turn: a slow moment of the machine hits all alike
+            plants.append(plant_speed(options))
+            sims.append(simulate(options)[1])
+            simulated_s, speed = run_stack(options)
+            stacks.append(speed)
+    except (RuntimeError, OSError, subprocess.TimeoutExpired) as error:
+        print(f"stack_speed: {error}", file=sys.stderr)
+        return 1
+    print(f"soft+hard over 0.10 m, {simulated_s:.1f} s simulated, median of {options.repeats}")
+    print(row("plant alone (CPU time, one core)", plants, f", aim {PLANT_AIM}"))
+    print(row("scarab-sim, one process", sims, ""))
+    print(row("stack of processes, with logger", stacks, f", aim {STACK_AIM}"))
+    print(f"stack / scarab-sim                 {statistics.median(stacks) / statistics.median(sims):7.2f}")
+    return 0
+
+
+if __name__ == "__main__":
+    sys.exit(main())
