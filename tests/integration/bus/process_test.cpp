@@ -105,7 +105,7 @@ TEST_F(TwoProcesses, AKilledOneIsMissedWithinTwoSeconds) {
   EXPECT_THAT(take_states(), ElementsAre(InstanceState::kNoWriters));
   EXPECT_LT(noticed, seconds(2));
   std::cout << "kill -9 noticed after " << std::chrono::duration<double>(noticed).count() << " s\n";
-  EXPECT_TRUE(eventually([&] { return reader.matched().empty(); }, seconds(2)));
+  EXPECT_TRUE(eventually([&] { return reader.matched().empty(); }, seconds(15)));
 }
 
 }  // namespace

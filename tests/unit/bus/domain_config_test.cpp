@@ -13,7 +13,7 @@ TEST(DomainConfig, BuiltInIsLoopbackWithRoomForManyParticipants) {
   const std::string config = domain_config({}, std::nullopt);
   EXPECT_THAT(config, HasSubstr("NetworkInterface name=\"lo\""));
   EXPECT_THAT(config, HasSubstr("<MaxAutoParticipantIndex>63<"));
-  EXPECT_THAT(config, HasSubstr("<LeaseDuration>1s<"));
+  EXPECT_THAT(config, HasSubstr("<LeaseDuration>12s<"));
   EXPECT_THAT(config, Not(HasSubstr("<Tag>")));
 }
 
