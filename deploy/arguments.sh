@@ -28,7 +28,7 @@ kind_of() {
 strategies() {
   awk '/^[^ #]/ { inside = /^strategies:/ }
        inside && /^  [^ #]/ { sub(/:.*/, ""); print $1 }' \
-    "$scarab_root/config/supervisor/f2.yaml"
+    "$scarab_root/config/supervisor/beetle.yaml"
 }
 
 # check_arguments ARGUMENT...: exits with 2 at the first mistake.

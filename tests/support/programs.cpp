@@ -12,8 +12,8 @@ namespace {
 const std::map<std::string, std::string>& shipped_configs() {
   static const std::map<std::string, std::string> files = {
       {"plant", "config/plant/default.yaml"},
-      {"supervisor", "config/supervisor/f2.yaml"},
-      {"premotor", "config/premotor/f2.yaml"}};
+      {"supervisor", "config/supervisor/beetle.yaml"},
+      {"premotor", "config/premotor/beetle.yaml"}};
   return files;
 }
 

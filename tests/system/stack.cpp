@@ -72,9 +72,9 @@ Arguments simulate(const std::filesystem::path& output) {
                        "--plant",
                        source_file("config/plant/default.yaml"),
                        "--premotor",
-                       source_file("config/premotor/f2.yaml"),
+                       source_file("config/premotor/beetle.yaml"),
                        "--supervisor",
-                       source_file("config/supervisor/f2.yaml"),
+                       source_file("config/supervisor/beetle.yaml"),
                        "--output",
                        output};
   const Arguments trial = main_trial();

@@ -28,8 +28,8 @@ example:
 
 def shipped(service: str) -> List[str]:
     """Robot and configuration file of a service."""
-    config = {"plant": "plant/default.yaml", "premotor": "premotor/f2.yaml",
-              "supervisor": "supervisor/f2.yaml"}
+    config = {"plant": "plant/default.yaml", "premotor": "premotor/beetle.yaml",
+              "supervisor": "supervisor/beetle.yaml"}
     words = []
     if service in ("plant", "premotor"):
         words += ["--robot", str(ROOT / "config/robot/beetle.yaml")]

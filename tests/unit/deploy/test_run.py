@@ -50,9 +50,9 @@ class Run(FakeStackTest):
         self.assertEqual(self.scarab("run")[0], 1)
 
     def test_configuration_is_checked_before_anything_starts(self):
-        self.order("scarab-premotor", "refuse", "f2.yaml:3:1: tau: unknown key")
+        self.order("scarab-premotor", "refuse", "beetle.yaml:3:1: tau: unknown key")
         code, _, err = self.scarab("run")
-        self.assertEqual((code, err), (2, "f2.yaml:3:1: tau: unknown key\n"))
+        self.assertEqual((code, err), (2, "beetle.yaml:3:1: tau: unknown key\n"))
         self.assertEqual(self.journal(), [])
         self.assertFalse(self.runs.exists())
 

@@ -8,11 +8,11 @@ namespace scarab::plant::testing {
 
 ClosedLoop::ClosedLoop(const std::string& strategy, const PlantConfig& plant,
                        const TrialSpec& trial)
-    : behaviour_config_(supervisor::load_config(SCARAB_SOURCE_DIR "/config/supervisor/f2.yaml")),
+    : behaviour_config_(supervisor::load_config(SCARAB_SOURCE_DIR "/config/supervisor/beetle.yaml")),
       robot_(config::load_robot(SCARAB_SOURCE_DIR "/config/robot/beetle.yaml")),
       simulation_(robot_, plant, trial),
       machine_(behaviour_config_, supervisor::find_strategy(behaviour_config_, strategy)),
-      controller_(premotor::load_config(SCARAB_SOURCE_DIR "/config/premotor/f2.yaml"), robot_),
+      controller_(premotor::load_config(SCARAB_SOURCE_DIR "/config/premotor/beetle.yaml"), robot_),
       behaviour_(machine_.initial_state()),
       network_(controller_.initial_state(trial.seed, true)) {}
 

@@ -5,7 +5,7 @@
 
 namespace scarab::premotor {
 
-PremotorConfig f2_config() { return load_config(SCARAB_SOURCE_DIR "/config/premotor/f2.yaml"); }
+PremotorConfig f2_config() { return load_config(SCARAB_SOURCE_DIR "/config/premotor/beetle.yaml"); }
 
 robot::RobotModel beetle() {
   return config::load_robot(SCARAB_SOURCE_DIR "/config/robot/beetle.yaml");

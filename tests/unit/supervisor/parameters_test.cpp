@@ -12,7 +12,7 @@ namespace scarab::supervisor {
 namespace {
 
 premotor::PremotorConfig premotor_config() {
-  return premotor::load_config(SCARAB_SOURCE_DIR "/config/premotor/f2.yaml");
+  return premotor::load_config(SCARAB_SOURCE_DIR "/config/premotor/beetle.yaml");
 }
 
 TEST(Parameters, AsIsAveragedOverTheCpgsPeriod) {

@@ -4,7 +4,7 @@
 
 namespace scarab::supervisor {
 
-SupervisorConfig f2_config() { return load_config(SCARAB_SOURCE_DIR "/config/supervisor/f2.yaml"); }
+SupervisorConfig f2_config() { return load_config(SCARAB_SOURCE_DIR "/config/supervisor/beetle.yaml"); }
 
 ScriptedRobot::ScriptedRobot(const std::string& strategy, const SupervisorConfig& config)
     : front_f_rad(config.as.reference_rad),

@@ -7,7 +7,7 @@
 
 namespace scarab::supervisor {
 
-/// config/supervisor/f2.yaml as it stands.
+/// config/supervisor/beetle.yaml as it stands.
 SupervisorConfig f2_config();
 
 /// A machine with its state, fed tick by tick with what a robot would measure.
