@@ -127,13 +127,22 @@ class Recorder {
     }
   }
 
-  /// The farewell is recorded too; then nothing may be left in the readers.
+  /// The farewell is recorded too; then what is still on its way, until the topics are silent. A
+  /// stack that lives on is not waited for.
   void finish() {
+    constexpr std::chrono::milliseconds kSilence{20};
+    constexpr std::chrono::seconds kLongest{1};
     status_.set_lifecycle(scarab_LIFECYCLE_FINALISED);
     if (recording_.failed()) status_.set_health(scarab_HEALTH_FAULT, "cannot write the log");
     status_.publish_if_due();
-    while (record()) {
+    stop_guard_.clear();
+    const auto end = Clock::now() + kLongest;
+    while (!recording_.failed() && Clock::now() < end && wait_set_.wait(kSilence)) {
+      news_guard_.clear();
+      trials_.take([](const scarab_Trial&) {});
+      record();
     }
+    record();
     recording_.close(closing_metadata);
   }
 
