@@ -2,11 +2,14 @@
 
 namespace scarab::bus {
 
-/// QoS profiles, named by data-flow pattern.
+/// QoS profiles, named by data-flow pattern. Every writer offers transient-local with one sample
+/// for late joiners: a volatile reader drops what arrives between its match and the writer's first
+/// heartbeat, so that a first sample could be lost though both sides are matched. Who needs every
+/// sample (command, state, the logger) asks for transient-local; views of a stream do not.
 enum class Profile {
-  kStream,   ///< reliable, volatile, keep-last 64
-  kCommand,  ///< reliable, volatile, keep-last 64
-  kState,    ///< reliable, transient-local, keep-last 64, one kept for late joiners
+  kStream,   ///< reliable, readers volatile, keep-last 64
+  kCommand,  ///< reliable, transient-local, keep-last 64; a reader judges by itself what is stale
+  kState,    ///< reliable, transient-local, keep-last 64; late joiners count on the last sample
   kStatus,   ///< reliable, transient-local, keep-last 1 a key, automatic liveliness with a lease of
              ///< 1 s
 };

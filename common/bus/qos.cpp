@@ -13,9 +13,8 @@ constexpr dds_duration_t kStatusLease = DDS_SECS(1);
 
 Qos common_qos(Profile profile) {
   Qos qos(dds_create_qos());
-  const bool kept = profile == Profile::kState || profile == Profile::kStatus;
   dds_qset_reliability(qos.get(), DDS_RELIABILITY_RELIABLE, kMaxBlocking);
-  dds_qset_durability(qos.get(), kept ? DDS_DURABILITY_TRANSIENT_LOCAL : DDS_DURABILITY_VOLATILE);
+  dds_qset_durability(qos.get(), DDS_DURABILITY_TRANSIENT_LOCAL);
   dds_qset_history(qos.get(), DDS_HISTORY_KEEP_LAST, profile == Profile::kStatus ? 1 : kDepth);
   dds_qset_ownership(qos.get(), DDS_OWNERSHIP_SHARED);
   if (profile == Profile::kStatus) {
@@ -29,15 +28,14 @@ Qos common_qos(Profile profile) {
 Qos writer_qos(Profile profile) {
   Qos qos = common_qos(profile);
   dds_qset_writer_data_lifecycle(qos.get(), false);
-  if (profile == Profile::kState || profile == Profile::kStatus) {
-    dds_qset_durability_service(qos.get(), 0, DDS_HISTORY_KEEP_LAST, 1, DDS_LENGTH_UNLIMITED,
-                                DDS_LENGTH_UNLIMITED, DDS_LENGTH_UNLIMITED);
-  }
+  dds_qset_durability_service(qos.get(), 0, DDS_HISTORY_KEEP_LAST, 1, DDS_LENGTH_UNLIMITED,
+                              DDS_LENGTH_UNLIMITED, DDS_LENGTH_UNLIMITED);
   return qos;
 }
 
 Qos reader_qos(Profile profile, const ReaderOptions& options) {
   Qos qos = common_qos(profile);
+  if (profile == Profile::kStream) dds_qset_durability(qos.get(), DDS_DURABILITY_VOLATILE);
   if (options.depth) dds_qset_history(qos.get(), DDS_HISTORY_KEEP_LAST, *options.depth);
   if (options.keep_all) dds_qset_history(qos.get(), DDS_HISTORY_KEEP_ALL, DDS_LENGTH_UNLIMITED);
   if (options.best_effort) dds_qset_reliability(qos.get(), DDS_RELIABILITY_BEST_EFFORT, 0);

@@ -236,7 +236,8 @@ void TickMaster::take_trials() {
 
 void TickMaster::take_operator() {
   const auto requests = desk_.update();
-  if (requests.stop && !body_.verdict()) body_.end({false, *requests.stop});
+  const bool in_trial = status_.lifecycle() == scarab_LIFECYCLE_ACTIVE;
+  if (requests.stop && in_trial && !body_.verdict()) body_.end({false, *requests.stop});
   if (requests.emergency_stop) gate_.emergency_stop(*requests.emergency_stop);
   if (requests.reset && gate_.in_safe_stop()) {
     gate_.reset();

@@ -47,6 +47,23 @@ TEST(Delivery, EverySampleArrivesInOrder) {
   EXPECT_TRUE(writer.faults().empty());
 }
 
+TEST(Delivery, FirstSampleAfterTheMatchArrives) {
+  for (int round = 0; round < 30; ++round) {
+    Participant premotor(test_options("premotor"));
+    Participant plant(test_options("plant"));
+    Writer<scarab_JointCommand> writer(premotor, kJointCommand);
+    Reader<scarab_JointCommand> reader(plant, kJointCommand);
+    while (writer.matched().empty()) std::this_thread::yield();  // no later than it can be
+    writer.write({});
+    std::size_t taken = 0;
+    EXPECT_TRUE(eventually([&] {
+      taken += reader.take([](const scarab_JointCommand&) {});
+      return taken == 1;
+    })) << "round "
+        << round;
+  }
+}
+
 TEST(Delivery, MatchedNamesThePeers) {
   Participant plant(test_options("plant"));
   Participant first(test_options("premotor", 0));

@@ -61,14 +61,14 @@ TEST(Faults, AnotherTypeInOneParticipantIsReportedToo) {
 }
 
 TEST(Faults, AnIncompatiblePolicyIsNamed) {
-  constexpr Topic<scarab_Behaviour> kVolatile{kBehaviour.name, Profile::kStream};
+  constexpr Topic<scarab_Behaviour> kWatched{kBehaviour.name, Profile::kStatus};
   Participant supervisor(test_options("supervisor"));
   Participant premotor(test_options("premotor"));
-  Writer<scarab_Behaviour> writer(supervisor, kVolatile);
-  Reader<scarab_Behaviour> reader(premotor, kBehaviour);
+  Writer<scarab_Behaviour> writer(supervisor, kBehaviour);
+  Reader<scarab_Behaviour> reader(premotor, kWatched);
   ASSERT_TRUE(eventually([&] { return !reader.faults().empty() && !writer.faults().empty(); }));
-  EXPECT_THAT(reader.faults(), ElementsAre("incompatible qos (durability) on scarab/behaviour"));
-  EXPECT_THAT(writer.faults(), ElementsAre("incompatible qos (durability) on scarab/behaviour"));
+  EXPECT_THAT(reader.faults(), ElementsAre("incompatible qos (liveliness) on scarab/behaviour"));
+  EXPECT_THAT(writer.faults(), ElementsAre("incompatible qos (liveliness) on scarab/behaviour"));
 }
 
 }  // namespace

@@ -46,6 +46,13 @@ TEST_F(Operator, PauseHoldsStepLetsOneTickThroughStartGoesOn) {
   EXPECT_TRUE(healthy());
 }
 
+TEST_F(Operator, StopBeforeTheFirstTrialIsForNobody) {
+  ASSERT_EQ(say("stop", "too early"), 0);
+  ASSERT_TRUE(begin()) << child_.err();
+  EXPECT_TRUE(ends_.run(1, 0, 4)) << child_.err();
+  EXPECT_TRUE(healthy());
+}
+
 TEST_F(Operator, StopEndsTheTrialWithTheReason) {
   ASSERT_TRUE(begin());
   const auto state = ends_.run(1, 0, 4);
