@@ -29,8 +29,9 @@ void StatusPublisher::set_ready(std::uint32_t trial) {
 }
 
 void StatusPublisher::set_health(scarab_Health health, const std::string& message) {
-  if (status_.health == health && message == status_.message) return;
+  if (status_.health == health && message == message_) return;
   status_.health = health;
+  message_ = message;
   bus::assign_truncated(status_.message, message);
   changed_ = true;
   if (message.empty()) return;
@@ -45,6 +46,11 @@ void StatusPublisher::set_progress(const scarab_Header& header) {
   progressed_ = true;
 }
 
+void StatusPublisher::set_recorded(std::uint32_t trial, std::uint32_t tick) {
+  status_.recorded_trial = status_.header.trial = trial;
+  status_.recorded_tick = status_.header.tick = tick;
+}
+
 void StatusPublisher::set_counter(const std::string& name, std::uint64_t value) {
   auto [entry, fresh] = counters_.try_emplace(name, 0);
   if (!fresh && entry->second == value) return;
@@ -52,12 +58,27 @@ void StatusPublisher::set_counter(const std::string& name, std::uint64_t value) 
   progressed_ = true;
 }
 
-void StatusPublisher::publish_if_due() {
-  const auto now = std::chrono::steady_clock::now();
-  if (changed_ || (progressed_ && now - last_ >= kProgressPeriod)) {
-    last_ = now;
-    publish();
+/// From the last report to the next.
+std::chrono::nanoseconds StatusPublisher::due_after() const {
+  const bool new_trial = status_.recorded_trial != reported_trial_;
+  const bool recorded = new_trial || status_.recorded_tick != reported_tick_;
+  if (changed_ || new_trial ||
+      (recorded && status_.recorded_tick >= reported_tick_ + kRecordedTicks)) {
+    return std::chrono::nanoseconds(0);
   }
+  return recorded ? kRecordedPeriod : kProgressPeriod;
+}
+
+std::chrono::nanoseconds StatusPublisher::time_left() const {
+  return std::max(std::chrono::nanoseconds(0),
+                  last_ + due_after() - std::chrono::steady_clock::now());
+}
+
+void StatusPublisher::publish_if_due() {
+  const auto due = due_after();
+  if (std::chrono::steady_clock::now() - last_ < due) return;
+  if (due == kProgressPeriod && !progressed_) return;
+  publish();
 }
 
 void StatusPublisher::publish() {
@@ -72,8 +93,10 @@ void StatusPublisher::publish() {
   status_.header.stamp_ns = bus::now_ns();
   writer_.write(status_);
   status_.counters = {};
-  changed_ = false;
-  progressed_ = false;
+  reported_trial_ = status_.recorded_trial;
+  reported_tick_ = status_.recorded_tick;
+  changed_ = progressed_ = false;
+  last_ = std::chrono::steady_clock::now();
 }
 
 }  // namespace scarab::runtime

@@ -11,10 +11,13 @@
 namespace scarab::runtime {
 
 /// Publishes what this service says of itself on scarab/service_status: changes of lifecycle,
-/// readiness and health at once, progress and counters at most every kProgressPeriod.
+/// readiness and health at once, the tick recorded last every kRecordedTicks or kRecordedPeriod
+/// (lockstep waits for it), progress and counters at most every kProgressPeriod.
 class StatusPublisher {
  public:
   static constexpr std::chrono::milliseconds kProgressPeriod{250};
+  static constexpr std::uint32_t kRecordedTicks = 4;
+  static constexpr std::chrono::milliseconds kRecordedPeriod{20};
 
   StatusPublisher(bus::Participant& participant, const bus::Peer& self);
 
@@ -24,22 +27,30 @@ class StatusPublisher {
   /// changes.
   void set_health(scarab_Health health, const std::string& message = "");
   void set_progress(const scarab_Header& header);
+  /// A recorder's progress: robot_state is recorded up to this tick.
+  void set_recorded(std::uint32_t trial, std::uint32_t tick);
   void set_counter(const std::string& name, std::uint64_t value);
 
   /// Publishes now if something important changed, or if progress did and is due.
   void publish_if_due();
+  /// How long publish_if_due() may wait to be called again.
+  [[nodiscard]] std::chrono::nanoseconds time_left() const;
   [[nodiscard]] scarab_Health health() const { return status_.health; }
   [[nodiscard]] scarab_Lifecycle lifecycle() const { return status_.lifecycle; }
 
  private:
+  [[nodiscard]] std::chrono::nanoseconds due_after() const;
   void publish();
 
   std::string service_;
+  std::string message_;  // uncut
   scarab_ServiceStatus status_{};
   std::map<std::string, std::uint64_t> counters_;
   bus::Writer<scarab_ServiceStatus> writer_;
   bool changed_ = true;
   bool progressed_ = false;
+  std::uint32_t reported_trial_ = 0;
+  std::uint32_t reported_tick_ = 0;
   std::chrono::steady_clock::time_point last_{};
 };
 

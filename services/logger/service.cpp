@@ -10,10 +10,10 @@
 #include "common/bus/topics.hpp"
 #include "common/runtime/peers.hpp"
 #include "common/runtime/shutdown.hpp"
+#include "common/runtime/status_publisher.hpp"
 #include "services/logger/core/chain_writers.hpp"
 #include "services/logger/log_file.hpp"
 #include "services/logger/recording.hpp"
-#include "services/logger/status.hpp"
 #include "services/logger/topic_recorder.hpp"
 
 namespace scarab::logger {
@@ -100,7 +100,7 @@ class Recorder {
 
   void report() {
     const RecordingState state = recording_.state();
-    status_.set_recorded(state.progress);
+    status_.set_recorded(state.progress.trial(), state.progress.tick());
     status_.set_counter("messages", state.messages);
     status_.set_counter("bytes", state.bytes);
     status_.set_counter("channels", state.channels);
@@ -152,7 +152,7 @@ class Recorder {
   bus::Guard news_guard_;
   bus::WaitSet wait_set_;
   bus::Reader<scarab_Trial> trials_;
-  RecorderStatus status_;
+  runtime::StatusPublisher status_;
   TopicRecorder topics_;
   Recording recording_;
   runtime::Shutdown shutdown_;

@@ -8,7 +8,8 @@ namespace scarab::plant::testing {
 
 ClosedLoop::ClosedLoop(const std::string& strategy, const PlantConfig& plant,
                        const TrialSpec& trial)
-    : behaviour_config_(supervisor::load_config(SCARAB_SOURCE_DIR "/config/supervisor/beetle.yaml")),
+    : behaviour_config_(
+          supervisor::load_config(SCARAB_SOURCE_DIR "/config/supervisor/beetle.yaml")),
       robot_(config::load_robot(SCARAB_SOURCE_DIR "/config/robot/beetle.yaml")),
       simulation_(robot_, plant, trial),
       machine_(behaviour_config_, supervisor::find_strategy(behaviour_config_, strategy)),

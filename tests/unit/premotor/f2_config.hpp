@@ -5,8 +5,8 @@
 
 namespace scarab::premotor {
 
-/// config/premotor/beetle.yaml and config/robot/beetle.yaml as they stand: the tests hold the shipped
-/// parameters to the properties, not a copy of them.
+/// config/premotor/beetle.yaml and config/robot/beetle.yaml as they stand: the tests hold the
+/// shipped parameters to the properties, not a copy of them.
 PremotorConfig f2_config();
 robot::RobotModel beetle();
 
