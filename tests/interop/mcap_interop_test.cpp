@@ -25,7 +25,8 @@ class McapInterop : public LoggerTest {
       std::filesystem::copy_file(source / name, installed / name,
                                  std::filesystem::copy_options::overwrite_existing);
     }
-    ChildProcess npm({"npm", "ci", "--prefix", installed.string()}, installed / "npm.log");
+    ChildProcess npm({"/usr/bin/env", "npm", "ci", "--prefix", installed.string()},
+                     installed / "npm.log");
     const auto code = npm.wait(90s);
     ASSERT_EQ(code, 0) << "npm ci failed (packages nodejs and npm are needed, and a registry):\n"
                        << npm.output();
@@ -34,7 +35,7 @@ class McapInterop : public LoggerTest {
   /// Exit code and output of the reader.
   std::pair<std::optional<int>, std::string> read(const std::filesystem::path& installed,
                                                   const std::filesystem::path& log) {
-    ChildProcess node({"node", (installed / "read_mcap.mjs").string(), log.string(),
+    ChildProcess node({"/usr/bin/env", "node", (installed / "read_mcap.mjs").string(), log.string(),
                        (folder_ / "expected.json").string()},
                       folder_ / "node.log");
     const auto code = node.wait(60s);

@@ -37,6 +37,8 @@ class ChildProcess {
 
   [[nodiscard]] std::string out() const;
   [[nodiscard]] std::string err() const;
+  /// All it has printed: stdout, then stderr.
+  [[nodiscard]] std::string output() const { return out() + err(); }
 
  private:
   pid_t pid_ = -1;

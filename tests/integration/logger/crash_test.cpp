@@ -41,7 +41,7 @@ TEST_F(Crash, KilledAtAnyMomentEveryClosedChunkIsThere) {
     const Samples before_the_kill = read_samples(active);
     for (int more = 0; more < 17 * kill; ++more) write(states, robot_state(trial, tick++));
     logger->signal(SIGKILL);
-    ASSERT_EQ(logger->wait(20s), -SIGKILL);
+    ASSERT_EQ(logger->wait(20s), 128 + SIGKILL);
 
     ASSERT_TRUE(eventually([&] { return states.matched().empty(); }));
     const auto mended = folder_ / ("mended-" + name);
@@ -68,7 +68,7 @@ TEST_F(Crash, RestartedItGoesOnReportingWhatItRecords) {
   write(states, robot_state(4, 10));
   ASSERT_TRUE(eventually([&] { return status().recorded_tick == 10; }));
   first->signal(SIGKILL);
-  ASSERT_EQ(first->wait(20s), -SIGKILL);
+  ASSERT_EQ(first->wait(20s), 128 + SIGKILL);
   ASSERT_TRUE(eventually([&] { return states.matched().empty(); }));
   auto second = start(arguments());
   ASSERT_TRUE(wait_for_reader(states)) << second->output();

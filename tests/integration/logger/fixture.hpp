@@ -15,7 +15,7 @@
 #include "common/bus/topics.hpp"
 #include "common/bus/writer.hpp"
 #include "common/mcap/reader.hpp"
-#include "tests/integration/logger/child_process.hpp"
+#include "tests/support/child_process.hpp"
 #include "tests/unit/mcap/temporary_folder.hpp"
 
 namespace scarab::logger::test {
