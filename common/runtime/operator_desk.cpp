@@ -2,9 +2,13 @@
 
 namespace scarab::runtime {
 
+bool is_for_tick_master(scarab_OperatorCommand command) { return command <= scarab_OPERATOR_RESET; }
+
 OperatorDesk::Requests OperatorDesk::update() {
   Requests requests;
   reader_.take([&](const scarab_Operator& said) {
+    if (!is_for_tick_master(said.command)) return;
+    stamp_ns_ = said.header.stamp_ns;
     const std::string reason = said.reason[0] ? said.reason : "no reason given";
     switch (said.command) {
       case scarab_OPERATOR_START:
@@ -27,6 +31,8 @@ OperatorDesk::Requests OperatorDesk::update() {
         break;
       case scarab_OPERATOR_RESET:
         requests.reset = true;
+        break;
+      default:
         break;
     }
   });

@@ -8,6 +8,9 @@
 
 namespace scarab::runtime {
 
+/// True for the commands of the tick master; the others are the supervisor's.
+[[nodiscard]] bool is_for_tick_master(scarab_OperatorCommand command);
+
 /// Takes in what a person says on scarab/operator and remembers what of it still holds.
 class OperatorDesk {
  public:
@@ -26,6 +29,8 @@ class OperatorDesk {
   /// A tick has started: uses up one step.
   void tick_started();
   void begin_trial();
+  /// Stamp of the last command taken in, ns: its acknowledgement; 0 before the first.
+  [[nodiscard]] std::int64_t stamp_ns() const { return stamp_ns_; }
 
   [[nodiscard]] bus::Reader<scarab_Operator>& reader() { return reader_; }
 
@@ -33,6 +38,7 @@ class OperatorDesk {
   bus::Reader<scarab_Operator> reader_;
   bool paused_ = false;
   unsigned steps_ = 0;
+  std::int64_t stamp_ns_ = 0;
 };
 
 }  // namespace scarab::runtime

@@ -1,5 +1,7 @@
 #include "common/runtime/status_board.hpp"
 
+#include <algorithm>
+
 #include "common/bus/sample_fields.hpp"
 
 namespace scarab::runtime {
@@ -18,6 +20,11 @@ ServiceReport report_of(const scarab_ServiceStatus& status) {
   report.process_id = status.process_id;
   for (const auto& counter : bus::elements(status.counters)) {
     report.counters[counter.name] = counter.value;
+  }
+  for (const auto& histogram : bus::elements(status.histograms)) {
+    Histogram::Counts counts{};
+    std::copy(std::begin(histogram.count), std::end(histogram.count), counts.begin());
+    report.histograms[histogram.name] = {counts, histogram.sum_s, histogram.max_s};
   }
   return report;
 }

@@ -9,6 +9,7 @@
 #include "common/bus/reader.hpp"
 #include "common/bus/topics.hpp"
 #include "common/runtime/expectation.hpp"
+#include "common/runtime/histogram.hpp"
 
 namespace scarab::runtime {
 
@@ -24,6 +25,7 @@ struct ServiceReport {
   std::string message;
   std::uint32_t process_id = 0;
   std::map<std::string, std::uint64_t> counters;
+  std::map<std::string, Histogram> histograms;
 };
 
 /// What all living services say of themselves.

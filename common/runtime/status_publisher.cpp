@@ -58,6 +58,11 @@ void StatusPublisher::set_counter(const std::string& name, std::uint64_t value) 
   progressed_ = true;
 }
 
+void StatusPublisher::set_histogram(const std::string& name, const Histogram& histogram) {
+  histograms_[name] = histogram;
+  progressed_ = true;
+}
+
 /// From the last report to the next.
 std::chrono::nanoseconds StatusPublisher::due_after() const {
   const bool new_trial = status_.recorded_trial != reported_trial_;
@@ -90,9 +95,20 @@ void StatusPublisher::publish() {
     ++counter;
   }
   bus::borrow(status_.counters, counters);
+  std::vector<scarab_Histogram> histograms(histograms_.size());
+  auto to = histograms.begin();
+  for (const auto& [name, histogram] : histograms_) {
+    bus::assign_truncated(to->name, name);
+    std::copy(histogram.counts().begin(), histogram.counts().end(), std::begin(to->count));
+    to->sum_s = histogram.sum_s();
+    to->max_s = histogram.max_s();
+    ++to;
+  }
+  bus::borrow(status_.histograms, histograms);
   status_.header.stamp_ns = bus::now_ns();
   writer_.write(status_);
   status_.counters = {};
+  status_.histograms = {};
   reported_trial_ = status_.recorded_trial;
   reported_tick_ = status_.recorded_tick;
   changed_ = progressed_ = false;

@@ -7,8 +7,12 @@
 
 #include "common/bus/topics.hpp"
 #include "common/bus/writer.hpp"
+#include "common/runtime/histogram.hpp"
 
 namespace scarab::runtime {
+
+/// Counter with the stamp (header.stamp_ns) of the last scarab/operator command carried out.
+inline constexpr const char* kOperatorStamp = "operator_stamp_ns";
 
 /// Publishes what this service says of itself on scarab/service_status: changes of lifecycle,
 /// readiness and health at once, the tick recorded last every kRecordedTicks or kRecordedPeriod
@@ -30,6 +34,7 @@ class StatusPublisher {
   /// A recorder's progress: robot_state is recorded up to this tick.
   void set_recorded(std::uint32_t trial, std::uint32_t tick);
   void set_counter(const std::string& name, std::uint64_t value);
+  void set_histogram(const std::string& name, const Histogram& histogram);
 
   /// Publishes now if something important changed, or if progress did and is due.
   void publish_if_due();
@@ -46,6 +51,7 @@ class StatusPublisher {
   std::string message_;  // uncut
   scarab_ServiceStatus status_{};
   std::map<std::string, std::uint64_t> counters_;
+  std::map<std::string, Histogram> histograms_;
   bus::Writer<scarab_ServiceStatus> writer_;
   bool changed_ = true;
   bool progressed_ = false;

@@ -236,6 +236,9 @@ void TickMaster::take_trials() {
 
 void TickMaster::take_operator() {
   const auto requests = desk_.update();
+  if (desk_.stamp_ns() != 0) {
+    status_.set_counter(kOperatorStamp, static_cast<std::uint64_t>(desk_.stamp_ns()));
+  }
   const bool in_trial = status_.lifecycle() == scarab_LIFECYCLE_ACTIVE;
   if (requests.stop && in_trial && !body_.verdict()) body_.end({false, *requests.stop});
   if (requests.emergency_stop) gate_.emergency_stop(*requests.emergency_stop);

@@ -25,6 +25,8 @@ std::string state_name(scarab_BehaviourState state) {
       return "failed";
     case scarab_BEHAVIOUR_SAFE_STOP:
       return "safe stop";
+    case scarab_BEHAVIOUR_MANUAL:
+      return "manual";
   }
   return "unknown";
 }

@@ -19,9 +19,11 @@ static_assert(same(Mode::kStop, scarab_MODE_STOP) && same(Mode::kHardPush, scara
               same(Mode::kStationary, scarab_MODE_STATIONARY));
 static_assert(same(State::kIdle, scarab_BEHAVIOUR_IDLE) &&
               same(State::kMode1, scarab_BEHAVIOUR_MODE_1) &&
-              same(State::kSafeStop, scarab_BEHAVIOUR_SAFE_STOP));
+              same(State::kSafeStop, scarab_BEHAVIOUR_SAFE_STOP) &&
+              same(State::kManual, scarab_BEHAVIOUR_MANUAL));
 static_assert(same(Phase::kRunning, scarab_PHASE_RUNNING) &&
               same(Phase::kSafeStop, scarab_PHASE_SAFE_STOP) &&
+              same(Phase::kHoming, scarab_PHASE_HOMING) &&
               same(Phase::kSucceeded, scarab_PHASE_SUCCEEDED) &&
               same(Phase::kFailed, scarab_PHASE_FAILED));
 

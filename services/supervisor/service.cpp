@@ -37,6 +37,7 @@ class SupervisorLink {
     scarab_Behaviour behaviour{};
     behaviour.header = question.header;
     behaviour.header.stamp_ns = bus::now_ns();
+    behaviour.real_time = question.real_time;
     fill(behaviour, state.decision);
     behaviours_.write(behaviour);
   }

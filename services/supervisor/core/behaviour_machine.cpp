@@ -103,6 +103,7 @@ void BehaviourMachine::advance(MachineState& state, const Perception& perception
     case Phase::kFailed:
       return enter(state, State::kFailed, tick, "the tick master announced failure");
     case Phase::kSafeStop:
+    case Phase::kHoming:
       if (state.state != State::kSafeStop) {
         enter(state, State::kSafeStop, tick, "the tick master announced a safe stop");
       }
@@ -126,6 +127,7 @@ void BehaviourMachine::advance_running(MachineState& state, std::uint32_t tick,
     case State::kMode1:
       return watch_for_obstacle(state, tick, as_rad);
     case State::kMode2:
+    case State::kManual:
     case State::kDone:
     case State::kFailed:
       return;
@@ -183,6 +185,7 @@ Mode BehaviourMachine::mode_of(State state) const {
     case State::kDone:
     case State::kFailed:
     case State::kSafeStop:
+    case State::kManual:
       return Mode::kStop;
   }
   throw std::invalid_argument("no such state");

@@ -12,7 +12,7 @@ namespace scarab::supervisor {
 
 /// How the trial stands, as the tick master announces it. Values equal those of the IDL
 /// enumeration.
-enum class Phase { kRunning, kSafeStop, kSucceeded, kFailed };
+enum class Phase { kRunning, kSafeStop, kHoming, kSucceeded, kFailed };
 
 /// What the supervisor takes from robot_state: only what a real robot measures.
 struct Perception {

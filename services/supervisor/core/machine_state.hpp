@@ -9,7 +9,7 @@
 namespace scarab::supervisor {
 
 /// Where the machine stands. Values equal those of the IDL enumeration.
-enum class State { kIdle, kApproach, kClimb, kMode1, kMode2, kDone, kFailed, kSafeStop };
+enum class State { kIdle, kApproach, kClimb, kMode1, kMode2, kDone, kFailed, kSafeStop, kManual };
 
 /// Zero-terminated; as long as the IDL's string.
 using Reason = std::array<char, 128>;

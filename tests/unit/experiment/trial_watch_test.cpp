@@ -114,10 +114,10 @@ TEST_F(TrialWatchTest, CanBeEndedFromHere) {
 
 TEST(StateName, EachStateHasItsOwn) {
   std::set<std::string> names;
-  for (int state = scarab_BEHAVIOUR_IDLE; state <= scarab_BEHAVIOUR_SAFE_STOP; ++state) {
+  for (int state = scarab_BEHAVIOUR_IDLE; state <= scarab_BEHAVIOUR_MANUAL; ++state) {
     names.insert(state_name(static_cast<scarab_BehaviourState>(state)));
   }
-  EXPECT_EQ(names.size(), 8U);
+  EXPECT_EQ(names.size(), 9U);
   EXPECT_EQ(names.count("unknown"), 0U);
 }
 
