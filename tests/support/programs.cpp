@@ -11,7 +11,7 @@ namespace {
 
 const std::map<std::string, std::string>& shipped_configs() {
   static const std::map<std::string, std::string> files = {
-      {"plant", "config/plant/default.yaml"},
+      {"plant", "config/plant/beetle.yaml"},
       {"supervisor", "config/supervisor/beetle.yaml"},
       {"premotor", "config/premotor/beetle.yaml"}};
   return files;

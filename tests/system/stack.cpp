@@ -70,7 +70,7 @@ Arguments simulate(const std::filesystem::path& output) {
                        "--robot",
                        source_file("config/robot/beetle.yaml"),
                        "--plant",
-                       source_file("config/plant/default.yaml"),
+                       source_file("config/plant/beetle.yaml"),
                        "--premotor",
                        source_file("config/premotor/beetle.yaml"),
                        "--supervisor",

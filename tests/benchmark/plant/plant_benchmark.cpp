@@ -22,7 +22,7 @@ constexpr const char* kConfig = SCARAB_SOURCE_DIR "/config/";
 std::string file(const char* name) { return std::string(kConfig) + name; }
 
 plant::PlantConfig plant_config(double step_s) {
-  plant::PlantConfig config = plant::load_config(file("plant/default.yaml"));
+  plant::PlantConfig config = plant::load_config(file("plant/beetle.yaml"));
   config.timing.step_s = step_s;
   return config;
 }

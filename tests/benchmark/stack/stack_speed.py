@@ -28,7 +28,7 @@ example:
 
 def shipped(service: str) -> List[str]:
     """Robot and configuration file of a service."""
-    config = {"plant": "plant/default.yaml", "premotor": "premotor/beetle.yaml",
+    config = {"plant": "plant/beetle.yaml", "premotor": "premotor/beetle.yaml",
               "supervisor": "supervisor/beetle.yaml"}
     words = []
     if service in ("plant", "premotor"):

@@ -36,7 +36,7 @@ class StackFile(unittest.TestCase):
                          ["logger", "plant", "supervisor", "premotor"])
         self.assertEqual(stack.expected(), "logger=1,plant=1,supervisor=1,premotor=1")
         self.assertIs(stack.service("plant").restart, Restart.BETWEEN_TRIALS)
-        self.assertEqual(stack.service("plant").config, SOURCE_ROOT / "config/plant/default.yaml")
+        self.assertEqual(stack.service("plant").config, SOURCE_ROOT / "config/plant/beetle.yaml")
 
     def test_robot_profile_says_that_it_cannot_be_started(self):
         with self.assertRaisesRegex(UsageError, "scarab-robot-bridge"):

@@ -11,7 +11,7 @@ robot::RobotModel beetle() {
   return config::load_robot(SCARAB_SOURCE_DIR "/config/robot/beetle.yaml");
 }
 
-PlantConfig default_config() { return load_config(SCARAB_SOURCE_DIR "/config/plant/default.yaml"); }
+PlantConfig default_config() { return load_config(SCARAB_SOURCE_DIR "/config/plant/beetle.yaml"); }
 
 robot::RobotModel plain_walker() {
   robot::RobotModel robot = beetle();

@@ -10,7 +10,7 @@ namespace scarab::plant::testing {
 /// config/robot/beetle.yaml.
 [[nodiscard]] robot::RobotModel beetle();
 
-/// config/plant/default.yaml.
+/// config/plant/beetle.yaml.
 [[nodiscard]] PlantConfig default_config();
 
 /// AMOS II with plain mounts and the servos of the walking figures: legs straight out sideways.
