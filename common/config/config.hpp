@@ -6,6 +6,7 @@
 
 #include "common/config/document.hpp"
 #include "common/config/emit.hpp"
+#include "common/config/extends.hpp"
 #include "common/config/reader.hpp"
 #include "common/config/writer.hpp"
 
@@ -36,21 +37,22 @@ T read_document(const Document& document) {
 
 }  // namespace detail
 
-/// Reads a struct from a YAML file. Throws Error (`file:line:col: key: reason`) for a missing file,
-/// bad syntax, an unknown, duplicate or missing key, a wrong type, a number out of range or not
-/// finite.
+/// Reads a struct from a YAML file and the files it extends (extends.hpp). Throws Error
+/// (`file:line:col: key: reason`) for a missing file, bad syntax, an unknown, duplicate or missing
+/// key, a wrong type, a number out of range or not finite.
 template <class T>
 [[nodiscard]] T load(const std::filesystem::path& path) {
-  return detail::read_document<T>(parse_file(path));
+  return detail::read_document<T>(read_extended(path));
 }
 
-/// The same from text; errors name it `file`.
+/// The same from text, which cannot extend a file; errors name it `file`.
 template <class T>
 [[nodiscard]] T load_text(std::string_view file, const std::string& text) {
   return detail::read_document<T>(parse_text(file, text));
 }
 
-/// YAML text that load() reads back to an equal value: numbers in the shortest form that is exact.
+/// YAML text of the whole value, whatever files it came from, that load() reads back to an equal
+/// value: numbers in the shortest form that is exact.
 template <class T>
 [[nodiscard]] std::string dump(const T& value) {
   T copy =

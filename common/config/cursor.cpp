@@ -42,15 +42,22 @@ Cursor::Cursor(const Document& document, const Value& value, std::string path)
     : document_(&document), value_(&value), path_(std::move(path)) {}
 
 void Cursor::fail(std::string_view reason) const {
-  throw Error(document_->file, value_->position, shown_path(path_), reason);
+  fail_at(value_->position, shown_path(path_), reason);
 }
 
 void Cursor::fail_at(std::string_view key, std::string_view reason) const {
-  throw Error(document_->file, nearest(key).value_->position, join_key(path_, key), reason);
+  fail_at(nearest(key).value_->position, join_key(path_, key), reason);
 }
 
 void Cursor::fail_expecting(std::string_view expected) const {
   fail("expected " + std::string(expected) + ", found " + found(*value_));
+}
+
+void Cursor::fail_at(Position position, std::string_view path, std::string_view reason) const {
+  const std::vector<std::string>& files = document_->files;
+  const bool in_base = position.file != 0;
+  throw Error(files[position.file], position, path,
+              std::string(reason) + (in_base ? " (extended by '" + files[0] + "')" : ""));
 }
 
 std::optional<Cursor> Cursor::find(std::string_view key) const {
@@ -111,9 +118,9 @@ void Cursor::expect_map_of(const std::vector<std::string_view>& known) const {
     for (const std::string_view name : known) is_known = is_known || name == key.text;
     if (is_known) continue;
     const auto near = closest(key.text, known);
-    throw Error(document_->file, key.position, join_key(path_, key.text),
-                near ? "unknown key; did you mean '" + std::string(*near) + "'?"
-                     : "unknown key; known here: " + list_of(known));
+    fail_at(key.position, join_key(path_, key.text),
+            near ? "unknown key; did you mean '" + std::string(*near) + "'?"
+                 : "unknown key; known here: " + list_of(known));
   }
 }
 

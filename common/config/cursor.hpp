@@ -47,6 +47,8 @@ class Cursor {
 
  private:
   Cursor(const Document& document, const Value& value, std::string path);
+  [[noreturn]] void fail_at(Position position, std::string_view path,
+                            std::string_view reason) const;
   [[noreturn]] void fail_expecting(std::string_view expected) const;
   [[nodiscard]] const std::string& plain_scalar(std::string_view expected) const;
 

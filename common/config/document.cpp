@@ -178,7 +178,7 @@ Document parse_text(std::string_view file, const std::string& text) {
     const Position at = error.mark.is_null() ? Position{} : position_of(error.mark);
     throw Error(file, at, "(syntax)", error.msg + tab_hint(text, at.line));
   }
-  return {std::string(file), builder.take_root()};
+  return {{std::string(file)}, builder.take_root()};
 }
 
 Document parse_file(const std::filesystem::path& path) {

@@ -3,18 +3,21 @@
 #include <filesystem>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "common/config/value.hpp"
 
 namespace scarab::config {
 
-/// A parsed file: one YAML document without duplicate keys, anchors, aliases and tags.
+/// A parsed file: one YAML document without duplicate keys, anchors, aliases and tags. Together
+/// with the files it extends it is one document of several files (extends.hpp).
 struct Document {
-  std::string file;
+  std::vector<std::string> files;  ///< the file itself, then those it extends, nearest first
   Value root;
 };
 
-/// Reads and parses a file. Throws Error if it is missing, unreadable, or no such document.
+/// Reads and parses a file, which extends none. Throws Error if it is missing, unreadable, or no
+/// such document.
 [[nodiscard]] Document parse_file(const std::filesystem::path& path);
 
 /// Parses text; errors name it `file`.

@@ -1,15 +1,17 @@
 #pragma once
 
+#include <cstddef>
 #include <stdexcept>
 #include <string>
 #include <string_view>
 
 namespace scarab::config {
 
-/// Where something stands in a file; both from 1.
+/// Where something stands: line and column from 1, in one of the files of a Document.
 struct Position {
   int line = 1;
   int column = 1;
+  std::size_t file = 0;  ///< index into Document::files
 };
 
 /// Bad configuration. what() is one line, exactly `file:line:col: key: reason`, where key is the
