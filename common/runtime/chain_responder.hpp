@@ -32,7 +32,15 @@ namespace scarab::runtime {
 ///  - `void answer(const State&, const Question&)`: publishes the answer of state k;
 ///  - `bool ends(const Question&)`: this question is the trial's last;
 ///  - `std::optional<RecordKey> adopt(std::uint32_t trial, State&)`: a living replica's state, if
-///    there is one.
+///    there is one;
+///  - `bool has_replica()`: a replica lives whose state may still come;
+///  - `void report(StatusPublisher&)`: adds what the link alone knows; called after each look at
+///  the
+///    bus.
+///
+/// In lockstep nothing is ever missed. In real time the chain does not wait for a service that was
+/// away: it catches up through the missed ticks with the first question it gets, so that the
+/// state's time goes on.
 template <class Link>
 class ChainResponder {
  public:
@@ -74,6 +82,7 @@ class ChainResponder {
       take_questions();
       if (waiting_for_peers()) check_peers();
       if (ready_) answer_held();
+      link_.report(status_);
       status_.publish_if_due();
     }
     status_.set_lifecycle(scarab_LIFECYCLE_FINALISED);
@@ -85,6 +94,7 @@ class ChainResponder {
   static constexpr std::chrono::milliseconds kIdlePoll{200};
   static constexpr std::chrono::seconds kPatience{1};
   static constexpr std::size_t kHeldMost = 128;
+  static constexpr std::int64_t kCatchUpMost = 6000;  // ten minutes: older than any memory
 
   [[nodiscard]] bool waiting_for_peers() const { return trial_ != 0 && !ready_; }
 
@@ -151,6 +161,7 @@ class ChainResponder {
   bool answer(const Question& question) {
     const auto tick = static_cast<std::int64_t>(question.header.tick);
     if (tick > tick_ + 1) adopt_replica();
+    if (tick > tick_ + 1 && question.real_time && !awaits_replica()) catch_up(question);
     if (tick > tick_ + 1) return give_up(tick);
     gap_since_.reset();
     if (tick < tick_) return true;
@@ -173,6 +184,28 @@ class ChainResponder {
     tick_ = key->tick;
     status_.set_health(scarab_HEALTH_OK,
                        "took over the state of a living replica at tick " + std::to_string(tick_));
+  }
+
+  /// For a while after a gap has shown.
+  bool awaits_replica() {
+    const auto now = std::chrono::steady_clock::now();
+    if (!gap_since_) gap_since_ = now;
+    return link_.has_replica() && now - *gap_since_ < kPatience;
+  }
+
+  /// Up to the tick before the question's, as if it had been asked in each of them.
+  void catch_up(const Question& question) {
+    const auto tick = static_cast<std::int64_t>(question.header.tick);
+    const std::int64_t missed = tick - 1 - tick_;
+    Question past = question;
+    for (tick_ = std::max(tick_, tick - 1 - kCatchUpMost); tick_ < tick - 1; ++tick_) {
+      past.header.tick = static_cast<std::uint32_t>(tick_ + 1);
+      link_.advance(state_, past);
+    }
+    ticks_missed_ += static_cast<std::uint64_t>(missed);
+    status_.set_counter("ticks_missed", ticks_missed_);
+    status_.set_health(scarab_HEALTH_OK, "caught up at tick " + std::to_string(tick) + " after " +
+                                             std::to_string(missed) + " missed ticks");
   }
 
   /// Once a gap has lasted: reports it, true.
@@ -203,6 +236,7 @@ class ChainResponder {
   std::optional<std::chrono::steady_clock::time_point> gap_since_;  // questions are ahead of state_
   State state_{};
   std::deque<Question> held_;
+  std::uint64_t ticks_missed_ = 0;
 };
 
 }  // namespace scarab::runtime

@@ -3,6 +3,17 @@
 #include <CLI/CLI.hpp>
 
 namespace scarab::runtime {
+namespace {
+
+/// An address or the name of a host; what it is exactly is for the bus to find out.
+const CLI::Validator kPeer(
+    [](const std::string& text) {
+      const bool fits = !text.empty() && text.find_first_of(" \t<>&\"'") == std::string::npos;
+      return fits ? std::string() : "'" + text + "' is no address of a host";
+    },
+    "");
+
+}  // namespace
 
 bus::ParticipantOptions BusOptions::participant(const std::string& service,
                                                 std::uint32_t instance) const {
@@ -10,6 +21,7 @@ bus::ParticipantOptions BusOptions::participant(const std::string& service,
   options.domain = domain;
   options.tag = tag;
   options.interface = interface;
+  options.peers = peers;
   options.self = {service, instance};
   return options;
 }
@@ -19,7 +31,14 @@ void add_bus_options(CLI::App& app, BusOptions& options) {
       ->check(CLI::Range(0U, 230U))
       ->capture_default_str();
   app.add_option("--tag", options.tag, "discovery tag: only participants of the same tag meet");
-  app.add_option("--interface", options.interface, "network interface")->capture_default_str();
+  app.add_option("--interface", options.interface, "network interface, by name or address")
+      ->capture_default_str();
+  app.add_option("--peers", options.peers,
+                 "addresses of the other hosts, where the network has no multicast")
+      ->delimiter(',')
+      ->allow_extra_args(false)
+      ->check(kPeer)
+      ->type_name("ADDRESS,...");
 }
 
 void add_expect_option(CLI::App& app, Expectation& expect) {

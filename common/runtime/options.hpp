@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <filesystem>
 #include <string>
+#include <vector>
 
 #include "common/bus/participant.hpp"
 #include "common/runtime/expectation.hpp"
@@ -18,7 +19,8 @@ namespace scarab::runtime {
 struct BusOptions {
   std::uint32_t domain = 0;
   std::string tag;
-  std::string interface = "lo";
+  std::string interface = bus::kDefaultInterface;
+  std::vector<std::string> peers;  ///< hosts to ask where the network has no multicast
 
   [[nodiscard]] bus::ParticipantOptions participant(const std::string& service,
                                                     std::uint32_t instance) const;
@@ -36,7 +38,7 @@ struct ServiceOptions {
   bool dump_config = false;  ///< print the resolved configuration only
 };
 
-/// Adds --domain, --tag, --interface.
+/// Adds --domain, --tag, --interface, --peers.
 void add_bus_options(CLI::App& app, BusOptions& options);
 
 /// Adds --expect.

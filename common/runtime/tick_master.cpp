@@ -50,7 +50,9 @@ TickMaster::TickMaster(bus::Participant& participant, const ServiceOptions& serv
       states_(participant, bus::kRobotState),
       sensors_(participant, bus::kRobotSensors),
       status_(participant, self),
-      shutdown_(guard_) {
+      shutdown_(guard_),
+      pacer_(options.tick_period),
+      timing_(options.pace == Pace::kRealTime) {
   wait_set_.attach(trials_);
   wait_set_.attach(commands_);
   wait_set_.attach(board_.reader());
@@ -65,6 +67,7 @@ TickMaster::TickMaster(bus::Participant& participant, const ServiceOptions& serv
 }
 
 void TickMaster::run() {
+  if (real_time()) take_care_of_real_time(status_);
   status_.publish_if_due();
   while (!shutdown_.requested()) {
     try {
@@ -99,7 +102,7 @@ void TickMaster::run_trial() {
   gate_.begin_trial(trial_, body_.held_rad());
   desk_.begin_trial();
   await_start();
-  tick_due_ = Clock::now();
+  pacer_.restart(Clock::now());
   while (run_tick()) ++tick_;
   finish();
 }
@@ -127,18 +130,38 @@ bool TickMaster::run_tick() {
   hold_if_paused();
   gate_.expect(tick_);
   answered_ = false;
+  deadline_over_ = false;
   const bool last = body_.verdict().has_value();
+  timing_.asked(Clock::now());
+  if (real_time()) pacer_.tick_begins(Clock::now());
   publish_state(false);
-  if (options_.pace == Pace::kLockstep || last) {
+  if (last || !real_time()) {
     await_command();
   } else {
-    await_wall_clock();
+    await_until(
+        std::min(pacer_.end(), pacer_.due() + options_.tick_period / options_.samples_per_tick));
   }
-  if (last || (!answered_ && options_.pace == Pace::kLockstep)) return false;
+  if (last || (!answered_ && !real_time())) return false;
   await_logger();
-  body_.advance(gate_.target_rad(), [this] { publish_state(true); });
+  move_body();
   desk_.tick_started();
   return true;
+}
+
+/// For one tick towards what the gate allows. In real time each sensor sample has its time.
+void TickMaster::move_body() {
+  const robot::JointVector target_rad = gate_.target_rad();
+  deadline_over_ = real_time();
+  unsigned sample = 0;
+  body_.advance(target_rad, [&] {
+    if (real_time()) {
+      await_until(pacer_.due() + ++sample * (options_.tick_period / options_.samples_per_tick));
+    }
+    publish_state(true);
+  });
+  if (!real_time()) return;
+  await_until(pacer_.end());
+  pacer_.tick_ends(Clock::now());
 }
 
 void TickMaster::hold_if_paused() {
@@ -146,19 +169,21 @@ void TickMaster::hold_if_paused() {
   status_.set_health(scarab_HEALTH_WAITING, "paused by the operator");
   while (desk_.paused() && !body_.verdict()) wait(kIdlePoll);
   status_.set_health(scarab_HEALTH_OK);
-  tick_due_ = Clock::now();
+  pacer_.restart(Clock::now());
 }
 
 void TickMaster::publish_state(bool between_ticks) {
   scarab_RobotState state{};
   state.header = header();
   state.phase = phase();
+  state.real_time = real_time();
   body_.observe(state);
   (between_ticks ? sensors_ : states_).write(state);
   body_.publish_own(state.header);
   if (!between_ticks) {
     status_.set_progress(state.header);
     report_gate();
+    timing_.report(pacer_, status_);
   }
 }
 
@@ -182,13 +207,10 @@ void TickMaster::await_command() {
   if (status_.health() == scarab_HEALTH_WAITING) status_.set_health(scarab_HEALTH_OK);
 }
 
-/// Real time: until the tick is over, whatever comes; the gate's safe stop takes over from too many
-/// stale commands.
-void TickMaster::await_wall_clock() {
-  tick_due_ += options_.tick_period;
-  for (auto left = tick_due_ - Clock::now(); left.count() > 0; left = tick_due_ - Clock::now()) {
-    wait(left);
-  }
+/// Real time: whatever comes meanwhile; the gate's safe stop takes over from too many stale
+/// commands.
+void TickMaster::await_until(TickPacer::TimePoint time) {
+  for (auto left = time - Clock::now(); left.count() > 0; left = time - Clock::now()) wait(left);
 }
 
 /// Keeps the lead over an expected logger small enough that nothing it has not taken yet is
@@ -242,10 +264,7 @@ void TickMaster::take_operator() {
   const bool in_trial = status_.lifecycle() == scarab_LIFECYCLE_ACTIVE;
   if (requests.stop && in_trial && !body_.verdict()) body_.end({false, *requests.stop});
   if (requests.emergency_stop) gate_.emergency_stop(*requests.emergency_stop);
-  if (requests.reset && gate_.in_safe_stop()) {
-    gate_.reset();
-    status_.set_health(scarab_HEALTH_OK);
-  }
+  if (requests.reset) gate_.reset();
   if (requests.emergency_stop || requests.reset) report_gate();
 }
 
@@ -255,6 +274,7 @@ void TickMaster::take_commands() {
   });
   commands_.take([this](const scarab_JointCommand& command) {
     const auto verdict = gate_.offer(offer_of(command));
+    if (verdict.answers && !answered_) timing_.answered(Clock::now(), deadline_over_);
     answered_ = answered_ || verdict.answers;
     if (!verdict.fault.empty()) status_.set_health(scarab_HEALTH_DEGRADED, verdict.fault);
   });
@@ -275,18 +295,27 @@ scarab_TrialPhase TickMaster::phase() const {
   if (const auto end = body_.verdict()) {
     return end->success ? scarab_PHASE_SUCCEEDED : scarab_PHASE_FAILED;
   }
-  return gate_.in_safe_stop() ? scarab_PHASE_SAFE_STOP : scarab_PHASE_RUNNING;
+  if (gate_.in_safe_stop()) return scarab_PHASE_SAFE_STOP;
+  return gate_.homing() ? scarab_PHASE_HOMING : scarab_PHASE_RUNNING;
 }
 
 std::string TickMaster::who_is_silent() const {
   return behaviour_tick_ >= static_cast<std::int64_t>(tick_) ? "premotor" : "supervisor";
 }
 
+/// What the gate refuses and why it holds the robot, if it does.
 void TickMaster::report_gate() {
   for (const auto& [name, value] : gate_.counters().named()) status_.set_counter(name, value);
+  const bool homing = gate_.homing() && status_.lifecycle() == scarab_LIFECYCLE_ACTIVE;
   if (gate_.in_safe_stop()) {
     status_.set_health(scarab_HEALTH_DEGRADED, "safe stop: " + gate_.safe_stop_reason());
+  } else if (homing) {
+    status_.set_health(scarab_HEALTH_DEGRADED,
+                       "homing: the joints go slowly to the start pose, commands do not count yet");
+  } else if (gate_holds_) {
+    status_.set_health(scarab_HEALTH_OK);
   }
+  gate_holds_ = gate_.in_safe_stop() || homing;
 }
 
 }  // namespace scarab::runtime

@@ -16,12 +16,15 @@
 #include "common/runtime/status_board.hpp"
 #include "common/runtime/status_publisher.hpp"
 #include "common/runtime/tick_body.hpp"
+#include "common/runtime/tick_pacer.hpp"
+#include "common/runtime/tick_timing.hpp"
 #include "common/safety/command_gate.hpp"
 
 namespace scarab::runtime {
 
 /// Lockstep: the next tick starts when this one's command is there. Real time: it starts when its
-/// time has come.
+/// time has come; a command has until the first sensor sample after its tick, and one that comes
+/// later counts from the next tick on.
 enum class Pace { kLockstep, kRealTime };
 
 struct TickMasterOptions {
@@ -29,8 +32,6 @@ struct TickMasterOptions {
   std::chrono::nanoseconds tick_period{};
   unsigned samples_per_tick =
       1;  ///< robot_sensors and world_state per tick; bounds the lead over the logger
-  unsigned stale_ticks_limit =
-      3;  ///< real time: ticks in a row without a command before the safe stop
   std::chrono::seconds report_silence{1};
   std::chrono::seconds give_up{10};
 };
@@ -55,7 +56,8 @@ class TickMaster {
   void hold_if_paused();
   void publish_state(bool between_ticks);
   void await_command();
-  void await_wall_clock();
+  void await_until(TickPacer::TimePoint time);
+  void move_body();
   void await_logger();
   void take_commands();
   void take_operator();
@@ -65,6 +67,7 @@ class TickMaster {
   [[nodiscard]] scarab_TrialPhase phase() const;
   [[nodiscard]] std::string who_is_silent() const;
   void report_gate();
+  [[nodiscard]] bool real_time() const { return options_.pace == Pace::kRealTime; }
 
   TickMasterOptions options_;
   TickBody& body_;
@@ -89,7 +92,10 @@ class TickMaster {
   std::uint32_t tick_ = 0;
   bool answered_ = false;             // the command of tick_ has been accepted
   std::int64_t behaviour_tick_ = -1;  // newest seen of this trial: tells who is silent
-  std::chrono::steady_clock::time_point tick_due_{};
+  TickPacer pacer_;
+  TickTiming timing_;
+  bool deadline_over_ = false;  // of tick_'s command; real time only
+  bool gate_holds_ = false;     // as last reported
 };
 
 }  // namespace scarab::runtime

@@ -21,6 +21,7 @@ CommandGate::CommandGate(const robot::RobotModel& robot, const GateOptions& opti
 
 void CommandGate::begin_trial(std::uint32_t trial, const robot::JointVector& held_rad) {
   limiter_.start_from(held_rad);
+  home_rad_ = held_rad;
   trial_ = trial;
   expected_.reset();
   answered_ = false;
@@ -43,6 +44,12 @@ void CommandGate::expect(std::uint32_t tick) {
   }
   expected_ = tick;
   answered_ = false;
+  if (homing_ && !safe_stop_) go_home();
+}
+
+void CommandGate::go_home() {
+  homing_ = !limiter_.is_at(home_rad_);
+  if (homing_) limiter_.advance_home(home_rad_);
 }
 
 Verdict CommandGate::offer(const Offer& offer) {
@@ -68,6 +75,7 @@ Verdict CommandGate::judge(const Offer& offer) {
 Verdict CommandGate::accept(const Offer& offer) {
   answers_[offer.tick % answers_.size()] = offer;
   if (safe_stop_) return {Outcome::kSafeStop, true, {}};
+  if (homing_) return {Outcome::kHoming, true, {}};
   if (!offer.stop) limiter_.advance(offer.position_rad, measured_rad_, counters_);
   return {Outcome::kAccepted, true, {}};
 }
@@ -111,7 +119,7 @@ void CommandGate::reset() noexcept {
   safe_stop_ = false;
   safe_stop_reason_.clear();
   stale_ticks_ = 0;
-  limiter_.begin_homing();
+  homing_ = true;
 }
 
 }  // namespace scarab::safety

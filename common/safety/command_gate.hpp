@@ -15,7 +15,7 @@ namespace scarab::safety {
 
 struct GateOptions {
   double tick_period_s = 0.1;
-  double homing_velocity_rad_s = 1.0;  ///< limit of each joint on its way out of a safe stop
+  double homing_velocity_rad_s = 0.5;  ///< limit of each joint on its way to the start pose
   /// So many ticks in a row without a standing answer bring the safe stop: the real-time mode,
   /// where a command older than this is stale. 0: never, the lockstep mode, where the tick master
   /// waits instead.
@@ -36,8 +36,9 @@ struct Offer {
 ///
 /// A trial is active between begin_trial() and end_trial(). For each tick the tick master calls
 /// expect(), offers what arrives, and applies target_rad(). In safe stop the targets hold still,
-/// whatever arrives; only reset() ends it, and then each joint homes slowly until it has caught up
-/// with the commands. An ended or a new trial does not end a safe stop.
+/// whatever arrives; only reset() ends it, and then all joints go home, slowly and tick by tick, to
+/// where they stood at the start of the trial, before commands count again. An ended or a new trial
+/// does not end a safe stop.
 class CommandGate {
  public:
   /// Throws std::invalid_argument if an option is not above 0 where it must be.
@@ -45,11 +46,13 @@ class CommandGate {
   CommandGate(const robot::RobotModel& robot, double tick_period_s)
       : CommandGate(robot, GateOptions{tick_period_s, GateOptions{}.homing_velocity_rad_s, 0}) {}
 
-  /// `held_rad`: where the robot stands; throws std::invalid_argument if not finite.
+  /// `held_rad`: where the robot stands, from now on its home; throws std::invalid_argument if not
+  /// finite.
   void begin_trial(std::uint32_t trial, const robot::JointVector& held_rad);
   void end_trial() noexcept;
 
-  /// The tick whose answer is wanted from now on; all earlier ones are over.
+  /// The tick whose answer is wanted from now on; all earlier ones are over. While homing it moves
+  /// the targets by one tick, and ends the homing when they have been at home for a tick.
   void expect(std::uint32_t tick);
   /// Where the joints stand now (rad): lets the torque limit act on the next command. Only for
   /// servos that have no torque limit of their own.
@@ -65,12 +68,13 @@ class CommandGate {
   /// Targets hold still; a driver whose robot asks for it drops the torque meanwhile.
   [[nodiscard]] bool in_safe_stop() const noexcept { return safe_stop_; }
   [[nodiscard]] const std::string& safe_stop_reason() const noexcept { return safe_stop_reason_; }
-  /// A joint is still on its slow way out of a safe stop.
-  [[nodiscard]] bool homing() const { return limiter_.homing(); }
+  /// On the slow way home after a safe stop.
+  [[nodiscard]] bool homing() const noexcept { return homing_; }
 
   [[nodiscard]] const GateCounters& counters() const noexcept { return counters_; }
 
  private:
+  void go_home();
   Verdict judge(const Offer& offer);
   Verdict accept(const Offer& offer);
   [[nodiscard]] Verdict compare(const Offer& known, const Offer& offer) const;
@@ -87,6 +91,8 @@ class CommandGate {
   bool answered_ = false;                  ///< the expected tick has its answer
   std::uint32_t stale_ticks_ = 0;          ///< in a row without an answer
   std::optional<robot::JointVector> measured_rad_;
+  robot::JointVector home_rad_{};
+  bool homing_ = false;
   bool safe_stop_ = false;
   std::string safe_stop_reason_;
 

@@ -61,18 +61,23 @@ double TargetLimiter::limited(std::size_t slot, double wanted_rad,
     target = counted(target, within_torque(joint, (*measured_rad)[slot], target), Clamp::kTorque,
                      counters);
   }
-  const double velocity = homing_[slot] ? std::min(homing_velocity_rad_s_, joint.velocity_max_rad_s)
-                                        : joint.velocity_max_rad_s;
-  const double reached = within_window(target_rad_[slot], target, velocity, tick_period_s_);
-  homing_[slot] = homing_[slot] && reached != target;
+  const double reached =
+      within_window(target_rad_[slot], target, joint.velocity_max_rad_s, tick_period_s_);
   return counted(target, reached, Clamp::kWindow, counters);
 }
 
-bool TargetLimiter::homing() const {
+void TargetLimiter::advance_home(const robot::JointVector& home_rad) {
   for (std::size_t slot = 0; slot < robot::kJointCount; ++slot) {
-    if (robot_.joints[slot].present && homing_[slot]) return true;
+    const robot::Joint& joint = robot_.joints[slot];
+    if (!joint.present) continue;
+    target_rad_[slot] =
+        within_window(target_rad_[slot], robot::clipped_to_range(joint, home_rad[slot]),
+                      std::min(homing_velocity_rad_s_, joint.velocity_max_rad_s), tick_period_s_);
   }
-  return false;
+}
+
+bool TargetLimiter::is_at(const robot::JointVector& home_rad) const {
+  return target_rad_ == robot::clipped_to_ranges(robot_, home_rad);
 }
 
 }  // namespace scarab::safety

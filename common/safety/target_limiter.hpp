@@ -10,14 +10,14 @@
 namespace scarab::safety {
 
 /// Moves the targets of all joints towards what is wanted, as far as range, torque and speed allow.
-/// Each joint can be in homing, where it is slow until it has caught up with what is wanted.
 class TargetLimiter {
  public:
-  /// `homing_velocity_rad_s`: speed limit of a homing joint, where the joint's own is not lower.
+  /// `homing_velocity_rad_s`: speed limit of every joint on its way home, where its own is not
+  /// lower.
   TargetLimiter(robot::RobotModel robot, double tick_period_s, double homing_velocity_rad_s);
 
-  /// Sets the targets as they are given: where the robot stands. A joint that is homing goes on
-  /// homing. Throws std::invalid_argument if one of a present joint is not finite.
+  /// Sets the targets as they are given: where the robot stands. Throws std::invalid_argument if
+  /// one of a present joint is not finite.
   void start_from(const robot::JointVector& held_rad);
 
   /// One tick's move towards `wanted_rad` (finite). Absent joints stay at 0. With `measured_rad`
@@ -25,8 +25,11 @@ class TargetLimiter {
   void advance(const robot::JointVector& wanted_rad,
                const std::optional<robot::JointVector>& measured_rad, GateCounters& counters);
 
-  void begin_homing() { homing_.fill(true); }
-  [[nodiscard]] bool homing() const;
+  /// One tick's slow move towards `home_rad`, inside the joints' ranges.
+  void advance_home(const robot::JointVector& home_rad);
+  /// All targets are as near to `home_rad` as the joints' ranges let them.
+  [[nodiscard]] bool is_at(const robot::JointVector& home_rad) const;
+
   [[nodiscard]] const robot::JointVector& target_rad() const { return target_rad_; }
 
  private:
@@ -38,7 +41,6 @@ class TargetLimiter {
   double tick_period_s_;
   double homing_velocity_rad_s_;
   robot::JointVector target_rad_{};
-  std::array<bool, robot::kJointCount> homing_{};
 };
 
 }  // namespace scarab::safety

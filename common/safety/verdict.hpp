@@ -18,15 +18,17 @@ enum class Outcome {
   kFutureTick,  ///< refused: answers a tick that has not been asked
   kConflict,    ///< refused: a second, different answer to one tick; a fault of who wrote it
   kSafeStop,    ///< the wanted answer, but not applied: the safe stop holds until it is reset
+  kHoming,      ///< the wanted answer, but not applied: the robot is on its way to the start pose
 };
 
-inline constexpr std::size_t kOutcomeCount = 9;
+inline constexpr std::size_t kOutcomeCount = 10;
 
 /// As counted and shown in service_status, in the order of Outcome.
 inline constexpr std::array<std::string_view, kOutcomeCount> kOutcomeNames = {
     "commands_accepted",       "commands_duplicate",        "commands_refused_inactive",
     "commands_refused_finite", "commands_refused_trial",    "commands_refused_stale",
-    "commands_refused_future", "commands_refused_conflict", "commands_refused_safe_stop"};
+    "commands_refused_future", "commands_refused_conflict", "commands_refused_safe_stop",
+    "commands_refused_homing"};
 
 /// The gate's answer to one offer.
 struct Verdict {

@@ -1,5 +1,7 @@
 #include "services/premotor/service.hpp"
 
+#include <algorithm>
+
 #include "common/bus/clock.hpp"
 #include "common/bus/reader.hpp"
 #include "common/bus/writer.hpp"
@@ -15,9 +17,10 @@ class PremotorLink {
   using State = NetworkState;
   static constexpr std::uint32_t kStateLayout = 1;
 
-  PremotorLink(bus::Participant& participant, const PremotorConfig& config,
+  PremotorLink(bus::Participant& participant, const bus::Peer& self, const PremotorConfig& config,
                const robot::RobotModel& robot)
-      : controller_(config, robot),
+      : self_(self),
+        controller_(config, robot),
         commands_(participant, bus::kJointCommand),
         activities_(participant, bus::kNeuralActivity),
         replicas_(participant, bus::kNeuralActivity) {}
@@ -59,6 +62,15 @@ class PremotorLink {
     return key;
   }
 
+  bool has_replica() const {
+    const auto peers = replicas_.matched();
+    return std::any_of(peers.begin(), peers.end(), [this](const bus::Peer& peer) {
+      return peer.service == self_.service && peer.instance != self_.instance;
+    });
+  }
+
+  void report(runtime::StatusPublisher&) const {}
+
   void add_needs(runtime::PeerCheck& peers) {
     peers.need(commands_, "plant");
     peers.need(commands_, "logger");
@@ -66,6 +78,7 @@ class PremotorLink {
   }
 
  private:
+  bus::Peer self_;
   PremotorController controller_;
   bus::Writer<scarab_JointCommand> commands_;
   bus::Writer<scarab_NeuralActivity> activities_;
@@ -79,7 +92,7 @@ void serve(const runtime::ServiceOptions& options, const PremotorConfig& config,
   const bus::Peer self{"premotor", options.instance};
   bus::Participant participant(options.bus.participant(self.service, self.instance));
   runtime::PeerCheck peers(options.expect);
-  PremotorLink link(participant, config, robot);
+  PremotorLink link(participant, self, config, robot);
   runtime::ChainResponder<PremotorLink> responder(participant, options, self, bus::kBehaviour, link,
                                                   peers);
   link.add_needs(peers);

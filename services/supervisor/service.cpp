@@ -5,31 +5,36 @@
 #include "common/runtime/chain_responder.hpp"
 #include "services/supervisor/adapter.hpp"
 #include "services/supervisor/core/machine_state.hpp"
+#include "services/supervisor/operator_line.hpp"
 
 namespace scarab::supervisor {
 namespace {
 
-/// What a restarted supervisor needs: the machine's memory, and its last decision to say it again.
+/// What a restarted supervisor needs: the machine's memory, its last decision to say it again, and
+/// the stamp of the last operator's word it has heard.
 struct KeptState {
   MachineState machine;
   Decision decision;
+  std::int64_t operator_stamp_ns = 0;
 };
 
 class SupervisorLink {
  public:
   using Question = scarab_RobotState;
   using State = KeptState;
-  static constexpr std::uint32_t kStateLayout = 1;
+  static constexpr std::uint32_t kStateLayout = 2;
 
   SupervisorLink(bus::Participant& participant, const SupervisorConfig& config)
-      : config_(config), behaviours_(participant, bus::kBehaviour) {}
+      : config_(config), operator_(participant), behaviours_(participant, bus::kBehaviour) {}
 
   void begin(const scarab_Trial& trial, KeptState& state) {
     machine_.emplace(config_, find_strategy(config_, trial.strategy));
     state = {machine_->initial_state(), Decision{}};
+    operator_.begin(trial.header.trial);
   }
 
   void advance(KeptState& state, const scarab_RobotState& question) {
+    operator_.tell(*machine_, state.machine, question.header.tick, state.operator_stamp_ns);
     state.decision = machine_->step(state.machine, to_perception(question));
   }
 
@@ -40,7 +45,11 @@ class SupervisorLink {
     behaviour.real_time = question.real_time;
     fill(behaviour, state.decision);
     behaviours_.write(behaviour);
+    operator_.acknowledge(state.machine, state.operator_stamp_ns);
+    if (ends(question)) operator_.end();
   }
+
+  void report(runtime::StatusPublisher& status) { operator_.report(status); }
 
   bool ends(const scarab_RobotState& question) const {
     return question.phase == scarab_PHASE_SUCCEEDED || question.phase == scarab_PHASE_FAILED;
@@ -48,6 +57,8 @@ class SupervisorLink {
 
   /// The machine's memory is on no topic: there is nothing to take over from a replica.
   std::optional<runtime::RecordKey> adopt(std::uint32_t, KeptState&) { return std::nullopt; }
+
+  bool has_replica() const { return false; }
 
   void add_needs(runtime::PeerCheck& peers) {
     peers.need(behaviours_, "premotor");
@@ -58,6 +69,7 @@ class SupervisorLink {
  private:
   SupervisorConfig config_;
   std::optional<BehaviourMachine> machine_;
+  OperatorLine operator_;
   bus::Writer<scarab_Behaviour> behaviours_;
 };
 

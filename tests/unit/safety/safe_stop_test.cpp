@@ -83,37 +83,73 @@ TEST(SafeStop, RefusedCommandsDoNotKeepItAway) {
   EXPECT_TRUE(gate.in_safe_stop());
 }
 
-TEST(Homing, IsSlowUntilEachJointHasCaughtUp) {
+constexpr double kHomingWindow = 0.05;  // 0.5 rad/s for a tick
+
+/// A gate whose joints have been brought to `away_rad` from their start at 0, stopped and reset.
+CommandGate reset_gate(double away_rad, std::uint32_t& tick) {
   CommandGate gate = ready_gate();
-  gate.emergency_stop("operator");
-  gate.reset();
-  EXPECT_TRUE(gate.homing());
-  EXPECT_EQ(gate.target_rad()[0], 0.0) << "nothing moves before the next command";
-  constexpr double kHomingWindow = 0.05;  // 0.5 rad/s for a tick
-  for (std::uint32_t tick = 1; tick <= 10; ++tick) {
-    EXPECT_TRUE(gate.homing());
+  for (tick = 0; gate.target_rad()[0] != away_rad && tick < 100; ++tick) {
     gate.expect(tick);
-    gate.offer(position(tick, 0.5));
-    EXPECT_NEAR(gate.target_rad()[0], kHomingWindow * tick, 1e-12);
+    gate.offer(position(tick, away_rad));
   }
-  gate.expect(11);
-  gate.offer(position(11, 0.5));
-  EXPECT_FALSE(gate.homing());
-  gate.expect(12);
-  gate.offer(position(12, -1));
-  EXPECT_NEAR(gate.target_rad()[0], 0.5 - kWindow, 1e-12) << "full speed again";
+  EXPECT_EQ(gate.target_rad()[0], away_rad);
+  gate.emergency_stop("operator");
+  gate.expect(tick++);
+  gate.reset();
+  return gate;
 }
 
-TEST(Homing, EndsForAJointThatMeetsAMovingCommand) {
-  CommandGate gate = ready_gate();
+TEST(Homing, GoesSlowlyToTheStartPoseBeforeCommandsCount) {
+  std::uint32_t tick = 0;
+  CommandGate gate = reset_gate(0.4, tick);
+  EXPECT_TRUE(gate.homing());
+  EXPECT_FALSE(gate.in_safe_stop());
+  EXPECT_EQ(gate.target_rad()[0], 0.4) << "nothing moves before the next tick";
+  double last = 0.4;
+  for (const std::uint32_t end = tick + 8; tick < end; ++tick) {
+    gate.expect(tick);
+    EXPECT_EQ(gate.offer(position(tick, 0.9)).outcome, Outcome::kHoming);
+    EXPECT_NEAR(last - gate.target_rad()[0], kHomingWindow, 1e-12);
+    last = gate.target_rad()[0];
+  }
+  EXPECT_NEAR(last, 0, 1e-12);
+  gate.expect(tick);  // home for a tick
+  gate.expect(++tick);
+  EXPECT_FALSE(gate.homing());
+  EXPECT_EQ(gate.offer(position(tick, -1)).outcome, Outcome::kAccepted);
+  EXPECT_NEAR(gate.target_rad()[0], -kWindow, 1e-12) << "full speed again";
+}
+
+TEST(Homing, AnswersTheChainMeanwhile) {
+  std::uint32_t tick = 0;
+  CommandGate gate = reset_gate(0.4, tick);
+  gate.expect(tick);
+  EXPECT_TRUE(gate.offer(position(tick, 0.4)).answers);
+  EXPECT_EQ(gate.counters().of(Outcome::kHoming), 1U);
+}
+
+TEST(Homing, StopsForAnotherSafeStopAndGoesOnAfterIt) {
+  std::uint32_t tick = 0;
+  CommandGate gate = reset_gate(0.4, tick);
+  gate.expect(tick);
+  gate.emergency_stop("operator, again");
+  const double held = gate.target_rad()[0];
+  for (int i = 0; i < 5; ++i) gate.expect(++tick);
+  EXPECT_EQ(gate.target_rad()[0], held);
+  gate.reset();
+  gate.expect(++tick);
+  EXPECT_NEAR(gate.target_rad()[0], held - kHomingWindow, 1e-12);
+}
+
+TEST(Homing, EndsAtTheRangeOfAJointThatCannotReachItsHome) {
+  CommandGate gate(small_robot(), GateOptions{kTickPeriod, 0.5, 0});
+  gate.begin_trial(1, all(5.0));  // put there by hand, beyond the range
   gate.emergency_stop("operator");
   gate.reset();
   std::uint32_t tick = 0;
-  for (; gate.homing() && tick < 100; ++tick) {
-    gate.expect(tick);
-    gate.offer(position(tick, 0.4 * std::cos(0.6 * tick)));
-  }
-  EXPECT_LT(tick, 20U);
+  for (; gate.homing() && tick < 1000; ++tick) gate.expect(tick);
+  EXPECT_LT(tick, 1000U);
+  EXPECT_LE(gate.target_rad()[0], small_robot().joints[0].max_rad);
 }
 
 TEST(Homing, IsNeededOnlyAfterASafeStop) {
