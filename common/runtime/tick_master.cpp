@@ -11,9 +11,7 @@ namespace {
 
 using Clock = std::chrono::steady_clock;
 
-constexpr std::chrono::milliseconds kPoll{5};  // while peers or the logger are waited for
 constexpr std::chrono::milliseconds kIdlePoll{200};
-constexpr unsigned kHistoryDepth = 64;  // of every profile; what a reader can hold unread
 
 safety::Offer offer_of(const scarab_JointCommand& command) {
   safety::Offer offer;
@@ -107,24 +105,6 @@ void TickMaster::run_trial() {
   finish();
 }
 
-void TickMaster::await_start() {
-  status_.set_health(scarab_HEALTH_OK);
-  status_.set_ready(trial_);
-  const auto since = Clock::now();
-  for (;;) {
-    auto unmet = peers_.unmet();
-    for (const auto& name : board_.missing(expect_, trial_)) unmet.push_back(name + " to be ready");
-    if (unmet.empty()) break;
-    if (Clock::now() - since > options_.report_silence) {
-      status_.set_health(scarab_HEALTH_WAITING, "waits for " + join(unmet));
-    }
-    wait(kPoll);
-  }
-  status_.set_health(scarab_HEALTH_OK);
-  status_.set_lifecycle(scarab_LIFECYCLE_ACTIVE);
-  spdlog::info("trial {} starts", trial_);
-}
-
 /// One tick of the chain; false after the trial's last.
 bool TickMaster::run_tick() {
   hold_if_paused();
@@ -164,14 +144,6 @@ void TickMaster::move_body() {
   pacer_.tick_ends(Clock::now());
 }
 
-void TickMaster::hold_if_paused() {
-  if (!desk_.paused()) return;
-  status_.set_health(scarab_HEALTH_WAITING, "paused by the operator");
-  while (desk_.paused() && !body_.verdict()) wait(kIdlePoll);
-  status_.set_health(scarab_HEALTH_OK);
-  pacer_.restart(Clock::now());
-}
-
 void TickMaster::publish_state(bool between_ticks) {
   scarab_RobotState state{};
   state.header = header();
@@ -185,66 +157,6 @@ void TickMaster::publish_state(bool between_ticks) {
     report_gate();
     timing_.report(pacer_, status_);
   }
-}
-
-/// Lockstep: until the command is there; silence is reported, then ends the trial.
-void TickMaster::await_command() {
-  const auto since = Clock::now();
-  while (!answered_) {
-    wait(options_.report_silence);
-    const auto silent = Clock::now() - since;
-    if (answered_ || silent < options_.report_silence) continue;
-    const std::string what = who_is_silent() + " has not answered tick " + std::to_string(tick_);
-    status_.set_health(scarab_HEALTH_WAITING, what);
-    if (silent >= options_.give_up) {
-      const std::string reason = what + " for " + std::to_string(options_.give_up.count()) + " s";
-      if (!body_.verdict()) body_.end({false, reason});
-      body_.publish_own(header());
-      status_.set_health(scarab_HEALTH_FAULT, reason);
-      return;
-    }
-  }
-  if (status_.health() == scarab_HEALTH_WAITING) status_.set_health(scarab_HEALTH_OK);
-}
-
-/// Real time: whatever comes meanwhile; the gate's safe stop takes over from too many stale
-/// commands.
-void TickMaster::await_until(TickPacer::TimePoint time) {
-  for (auto left = time - Clock::now(); left.count() > 0; left = time - Clock::now()) wait(left);
-}
-
-/// Keeps the lead over an expected logger small enough that nothing it has not taken yet is
-/// overwritten.
-void TickMaster::await_logger() {
-  if (options_.pace != Pace::kLockstep || expect_.count("logger") == 0) return;
-  const std::uint32_t lead = std::max(1U, kHistoryDepth / options_.samples_per_tick - 2);
-  const auto since = Clock::now();
-  const auto behind = [&] {
-    const auto* logger = board_.find({"logger", 0});
-    return tick_ >= lead &&
-           (!logger || logger->recorded_trial != trial_ || logger->recorded_tick + lead < tick_);
-  };
-  while (behind()) {
-    wait(kPoll);
-    const auto silent = Clock::now() - since;
-    if (silent < options_.report_silence) continue;
-    const std::string what = "logger/0 has not recorded tick " + std::to_string(tick_ - lead);
-    status_.set_health(scarab_HEALTH_WAITING, what);
-    if (silent < options_.give_up) continue;
-    body_.end({false, what + " for " + std::to_string(options_.give_up.count()) + " s"});
-    return;
-  }
-  if (status_.health() == scarab_HEALTH_WAITING) status_.set_health(scarab_HEALTH_OK);
-}
-
-void TickMaster::wait(std::chrono::nanoseconds timeout) {
-  status_.publish_if_due();
-  wait_set_.wait(timeout);
-  if (shutdown_.requested()) throw Interrupted{};
-  take_trials();
-  board_.update();
-  take_operator();
-  take_commands();
 }
 
 void TickMaster::take_trials() {
@@ -297,10 +209,6 @@ scarab_TrialPhase TickMaster::phase() const {
   }
   if (gate_.in_safe_stop()) return scarab_PHASE_SAFE_STOP;
   return gate_.homing() ? scarab_PHASE_HOMING : scarab_PHASE_RUNNING;
-}
-
-std::string TickMaster::who_is_silent() const {
-  return behaviour_tick_ >= static_cast<std::int64_t>(tick_) ? "premotor" : "supervisor";
 }
 
 /// What the gate refuses and why it holds the robot, if it does.

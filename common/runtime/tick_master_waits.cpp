@@ -1,0 +1,109 @@
+#include <spdlog/spdlog.h>
+
+#include <algorithm>
+
+#include "common/runtime/tick_master.hpp"
+
+// What a tick master waits for: peers, the operator, commands, the wall clock, the logger.
+namespace scarab::runtime {
+namespace {
+
+using Clock = std::chrono::steady_clock;
+
+constexpr std::chrono::milliseconds kPoll{5};  // while peers or the logger are waited for
+constexpr std::chrono::milliseconds kPausePoll{200};
+constexpr unsigned kHistoryDepth = 64;  // of every profile; what a reader can hold unread
+
+}  // namespace
+
+void TickMaster::await_start() {
+  status_.set_health(scarab_HEALTH_OK);
+  status_.set_ready(trial_);
+  const auto since = Clock::now();
+  for (;;) {
+    auto unmet = peers_.unmet();
+    for (const auto& name : board_.missing(expect_, trial_)) unmet.push_back(name + " to be ready");
+    if (unmet.empty()) break;
+    if (Clock::now() - since > options_.report_silence) {
+      status_.set_health(scarab_HEALTH_WAITING, "waits for " + join(unmet));
+    }
+    wait(kPoll);
+  }
+  status_.set_health(scarab_HEALTH_OK);
+  status_.set_lifecycle(scarab_LIFECYCLE_ACTIVE);
+  spdlog::info("trial {} starts", trial_);
+}
+
+void TickMaster::hold_if_paused() {
+  if (!desk_.paused()) return;
+  status_.set_health(scarab_HEALTH_WAITING, "paused by the operator");
+  while (desk_.paused() && !body_.verdict()) wait(kPausePoll);
+  status_.set_health(scarab_HEALTH_OK);
+  pacer_.restart(Clock::now());
+}
+
+/// Lockstep: until the command is there; silence is reported, then ends the trial.
+void TickMaster::await_command() {
+  const auto since = Clock::now();
+  while (!answered_) {
+    wait(options_.report_silence);
+    const auto silent = Clock::now() - since;
+    if (answered_ || silent < options_.report_silence) continue;
+    const std::string what = who_is_silent() + " has not answered tick " + std::to_string(tick_);
+    status_.set_health(scarab_HEALTH_WAITING, what);
+    if (silent >= options_.give_up) {
+      const std::string reason = what + " for " + std::to_string(options_.give_up.count()) + " s";
+      if (!body_.verdict()) body_.end({false, reason});
+      body_.publish_own(header());
+      status_.set_health(scarab_HEALTH_FAULT, reason);
+      return;
+    }
+  }
+  if (status_.health() == scarab_HEALTH_WAITING) status_.set_health(scarab_HEALTH_OK);
+}
+
+/// Real time: whatever comes meanwhile; the gate's safe stop takes over from too many stale
+/// commands.
+void TickMaster::await_until(TickPacer::TimePoint time) {
+  for (auto left = time - Clock::now(); left.count() > 0; left = time - Clock::now()) wait(left);
+}
+
+/// Keeps the lead over an expected logger small enough that nothing it has not taken yet is
+/// overwritten.
+void TickMaster::await_logger() {
+  if (options_.pace != Pace::kLockstep || expect_.count("logger") == 0) return;
+  const std::uint32_t lead = std::max(1U, kHistoryDepth / options_.samples_per_tick - 2);
+  const auto since = Clock::now();
+  const auto behind = [&] {
+    const auto* logger = board_.find({"logger", 0});
+    return tick_ >= lead &&
+           (!logger || logger->recorded_trial != trial_ || logger->recorded_tick + lead < tick_);
+  };
+  while (behind()) {
+    wait(kPoll);
+    const auto silent = Clock::now() - since;
+    if (silent < options_.report_silence) continue;
+    const std::string what = "logger/0 has not recorded tick " + std::to_string(tick_ - lead);
+    status_.set_health(scarab_HEALTH_WAITING, what);
+    if (silent < options_.give_up) continue;
+    body_.end({false, what + " for " + std::to_string(options_.give_up.count()) + " s"});
+    return;
+  }
+  if (status_.health() == scarab_HEALTH_WAITING) status_.set_health(scarab_HEALTH_OK);
+}
+
+void TickMaster::wait(std::chrono::nanoseconds timeout) {
+  status_.publish_if_due();
+  wait_set_.wait(timeout);
+  if (shutdown_.requested()) throw Interrupted{};
+  take_trials();
+  board_.update();
+  take_operator();
+  take_commands();
+}
+
+std::string TickMaster::who_is_silent() const {
+  return behaviour_tick_ >= static_cast<std::int64_t>(tick_) ? "premotor" : "supervisor";
+}
+
+}  // namespace scarab::runtime
