@@ -8,10 +8,11 @@
 #include "common/config/emit.hpp"
 #include "common/config/extends.hpp"
 #include "common/config/reader.hpp"
+#include "common/config/schema.hpp"
 #include "common/config/writer.hpp"
 
 /// Strict YAML configuration. A struct is described once, in its own namespace, and the description
-/// serves for reading, for dumping and for error messages:
+/// serves for reading, for dumping, for error messages and for the schema that editors read:
 ///
 ///     template <class Fields>
 ///     void visit_fields(Fields& f, ServoConfig& c) {

@@ -13,4 +13,7 @@ PlantConfig load_config(const std::filesystem::path& path);
 /// YAML that load_config reads back to an equal value.
 std::string dump_config(const PlantConfig& config);
 
+/// JSON Schema of the files that load_config reads (config/schema/plant.json).
+std::string config_schema();
+
 }  // namespace scarab::plant

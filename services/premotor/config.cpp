@@ -91,4 +91,6 @@ PremotorConfig load_config(const std::filesystem::path& path) {
 
 std::string dump_config(const PremotorConfig& config) { return config::dump(config); }
 
+std::string config_schema() { return config::schema<PremotorConfig>("Scarab: config/premotor"); }
+
 }  // namespace scarab::premotor

@@ -71,4 +71,8 @@ SupervisorConfig load_config(const std::filesystem::path& path) {
 
 std::string dump_config(const SupervisorConfig& config) { return config::dump(config); }
 
+std::string config_schema() {
+  return config::schema<SupervisorConfig>("Scarab: config/supervisor");
+}
+
 }  // namespace scarab::supervisor
