@@ -129,4 +129,6 @@ PlantConfig load_config(const std::filesystem::path& path) {
 
 std::string dump_config(const PlantConfig& config) { return config::dump(config); }
 
+std::string config_schema() { return config::schema<PlantConfig>("Scarab: config/plant"); }
+
 }  // namespace scarab::plant
