@@ -35,6 +35,27 @@ double reading(double value, scarab_Source source) {
   return source == scarab_SOURCE_ABSENT ? std::numeric_limits<double>::quiet_NaN() : value;
 }
 
+std::optional<OperatorWord::Command> to_command(scarab_OperatorCommand command) {
+  switch (command) {
+    case scarab_OPERATOR_AUTOMATIC:
+      return OperatorWord::Command::kAutomatic;
+    case scarab_OPERATOR_STRATEGY:
+      return OperatorWord::Command::kStrategy;
+    case scarab_OPERATOR_MODE:
+      return OperatorWord::Command::kMode;
+    case scarab_OPERATOR_INPUTS:
+      return OperatorWord::Command::kInputs;
+    case scarab_OPERATOR_START:
+    case scarab_OPERATOR_PAUSE:
+    case scarab_OPERATOR_STEP:
+    case scarab_OPERATOR_STOP:
+    case scarab_OPERATOR_EMERGENCY_STOP:
+    case scarab_OPERATOR_RESET:
+      return std::nullopt;
+  }
+  return std::nullopt;
+}
+
 double front_f(const scarab_RobotState& state, robot::Leg leg) {
   const auto slot = robot::joint_slot(leg, robot::LegJoint::kFemurTibia);
   return reading(state.position_rad[slot], state.position_source[slot]);
@@ -49,6 +70,18 @@ Perception to_perception(const scarab_RobotState& state) {
   perception.pitch_rad = reading(state.inclination_rad[kPitch], state.imu_source);
   perception.front_f_rad = {front_f(state, robot::Leg::kL0), front_f(state, robot::Leg::kR0)};
   return perception;
+}
+
+std::optional<OperatorWord> to_word(const scarab_Operator& said) {
+  const auto command = to_command(said.command);
+  if (!command) return std::nullopt;
+  OperatorWord word;
+  word.command = *command;
+  word.mode = static_cast<Mode>(said.mode);
+  std::copy(std::begin(said.inputs), std::end(said.inputs), word.inputs.begin());
+  word.strategy = bus::text(said.strategy);
+  word.reason = bus::text(said.reason);
+  return word;
 }
 
 void fill(scarab_Behaviour& behaviour, const Decision& decision) {

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <optional>
+
 #include "common/bus/topics.hpp"
 #include "services/supervisor/core/behaviour_machine.hpp"
 
@@ -7,6 +9,9 @@
 namespace scarab::supervisor {
 
 Perception to_perception(const scarab_RobotState& state);
+
+/// Nothing: the command is for the tick master.
+std::optional<OperatorWord> to_word(const scarab_Operator& said);
 
 /// Fills all but the header.
 void fill(scarab_Behaviour& behaviour, const Decision& decision);

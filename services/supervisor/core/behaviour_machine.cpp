@@ -41,17 +41,23 @@ std::string figure_ticks(std::uint32_t ticks) {
   return std::to_string(ticks) + (ticks == 1 ? " tick" : " ticks");
 }
 
-void enter(MachineState& machine, State state, std::uint32_t tick, const std::string& reason) {
-  machine.state = state;
-  machine.entered_tick = tick;
-  machine.reason.fill('\0');
-  std::copy_n(reason.begin(), std::min(reason.size(), machine.reason.size() - 1),
-              machine.reason.begin());
-  machine.bs_above = 0;
-  machine.as_below = 0;
+bool is_final(State state) { return state == State::kDone || state == State::kFailed; }
+
+/// Enters the safe stop, or goes on in it for another reason.
+void hold_still(MachineState& machine, std::uint32_t tick, const std::string& reason) {
+  if (machine.state == State::kSafeStop && reason == machine.reason.data()) return;
+  enter(machine, State::kSafeStop, tick, reason);
 }
 
-bool is_final(State state) { return state == State::kDone || state == State::kFailed; }
+/// What the machine does where nothing keeps it from it: what the operator holds it to, else
+/// approach.
+void begin_running(MachineState& machine, std::uint32_t tick, const std::string& reason) {
+  if (is_manual(machine)) {
+    enter(machine, State::kManual, tick, reason + "; operator: " + phrase(machine.manual));
+  } else {
+    enter(machine, State::kApproach, tick, reason);
+  }
+}
 
 }  // namespace
 
@@ -67,6 +73,35 @@ MachineState BehaviourMachine::initial_state() const {
   return machine;
 }
 
+std::string BehaviourMachine::tell(MachineState& state, const OperatorWord& word,
+                                   std::uint32_t tick) const {
+  using Command = OperatorWord::Command;
+  if (is_final(state.state)) return "the trial has ended";
+  std::string refused = refusal(word, config_);
+  if (!refused.empty()) return refused;
+  switch (word.command) {
+    case Command::kAutomatic:
+      if (!is_manual(state)) return "";
+      state.manual = {};
+      break;
+    case Command::kStrategy:
+      state.manual = {};
+      choose_strategy(state, word.strategy);
+      break;
+    case Command::kMode:
+      state.manual = {Manual::Hold::kMode, word.mode, {}};
+      break;
+    case Command::kInputs:
+      state.manual = {Manual::Hold::kInputs, nearest_mode(config_, word.inputs), word.inputs};
+      break;
+  }
+  if (state.state == State::kIdle || state.state == State::kSafeStop) return "";
+  const std::string said = is_manual(state) ? phrase(state.manual) : standing(state);
+  enter(state, is_manual(state) ? State::kManual : State::kApproach, tick,
+        "operator: " + said + (word.reason.empty() ? "" : ": " + word.reason));
+  return "";
+}
+
 Decision BehaviourMachine::step(MachineState& state, const Perception& perception) const {
   update(state.bs, perception.pitch_rad, config_.bs.smoothing);
   push(state.front_f, (perception.front_f_rad[0] + perception.front_f_rad[1]) / 2);
@@ -74,8 +109,9 @@ Decision BehaviourMachine::step(MachineState& state, const Perception& perceptio
   advance(state, perception, as_rad);
 
   Decision decision;
-  decision.mode = mode_of(state.state);
-  decision.inputs = inputs_of(config_, decision.mode);
+  decision.mode = mode_of(state);
+  const bool by_hand = state.state == State::kManual && state.manual.hold == Manual::Hold::kInputs;
+  decision.inputs = by_hand ? state.manual.inputs : inputs_of(config_, decision.mode);
   decision.hind_override = decision.mode == Mode::kStationary;
   if (decision.hind_override) {
     decision.hind_pose_rad = config_.stationary_hind_pose_rad;
@@ -103,11 +139,9 @@ void BehaviourMachine::advance(MachineState& state, const Perception& perception
     case Phase::kFailed:
       return enter(state, State::kFailed, tick, "the tick master announced failure");
     case Phase::kSafeStop:
+      return hold_still(state, tick, "the tick master announced a safe stop");
     case Phase::kHoming:
-      if (state.state != State::kSafeStop) {
-        enter(state, State::kSafeStop, tick, "the tick master announced a safe stop");
-      }
-      return;
+      return hold_still(state, tick, "homing");
     case Phase::kRunning:
       return advance_running(state, tick, as_rad);
   }
@@ -117,9 +151,9 @@ void BehaviourMachine::advance_running(MachineState& state, std::uint32_t tick,
                                        double as_rad) const {
   switch (state.state) {
     case State::kIdle:
-      return enter(state, State::kApproach, tick, "the trial runs");
+      return begin_running(state, tick, "the trial runs");
     case State::kSafeStop:
-      return enter(state, State::kApproach, tick, "the safe stop has ended");
+      return begin_running(state, tick, "the safe stop has ended");
     case State::kApproach:
       return approach(state, tick);
     case State::kClimb:
@@ -135,7 +169,9 @@ void BehaviourMachine::advance_running(MachineState& state, std::uint32_t tick,
 }
 
 void BehaviourMachine::approach(MachineState& state, std::uint32_t tick) const {
-  if (strategy_.push.empty() || !(state.bs.value > config_.bs.threshold_rad)) {
+  const bool just_told = state.entered_tick == tick;  // else a step finds states of earlier ticks
+  if (just_told || strategy_of(state).push.empty() ||
+      !(state.bs.value > config_.bs.threshold_rad)) {
     return;
   }
   enter(state, State::kClimb, tick,
@@ -161,7 +197,7 @@ void BehaviourMachine::watch_for_obstacle(MachineState& state, std::uint32_t tic
                                           double as_rad) const {
   const bool armed = tick - state.entered_tick >= config_.as.arm_ticks &&
                      covers(state.front_f, config_.as.window_ticks);
-  if (strategy_.push.size() < 2 || !armed) {
+  if (strategy_of(state).push.size() < 2 || !armed) {
     return;
   }
   state.as_below = as_rad < as_threshold_rad() ? state.as_below + 1 : 0;
@@ -172,20 +208,26 @@ void BehaviourMachine::watch_for_obstacle(MachineState& state, std::uint32_t tic
   }
 }
 
-Mode BehaviourMachine::mode_of(State state) const {
-  switch (state) {
+const Strategy& BehaviourMachine::strategy_of(const MachineState& state) const {
+  const std::string chosen = state.strategy.data();
+  return chosen.empty() ? strategy_ : find_strategy(config_, chosen);
+}
+
+Mode BehaviourMachine::mode_of(const MachineState& state) const {
+  switch (state.state) {
     case State::kApproach:
     case State::kClimb:
-      return strategy_.approach;
+      return strategy_of(state).approach;
     case State::kMode1:
-      return strategy_.push.at(0);
+      return strategy_of(state).push.at(0);
     case State::kMode2:
-      return strategy_.push.at(1);
+      return strategy_of(state).push.at(1);
+    case State::kManual:
+      return state.manual.mode;
     case State::kIdle:
     case State::kDone:
     case State::kFailed:
     case State::kSafeStop:
-    case State::kManual:
       return Mode::kStop;
   }
   throw std::invalid_argument("no such state");

@@ -5,6 +5,7 @@
 #include <string>
 
 #include "services/supervisor/core/machine_state.hpp"
+#include "services/supervisor/core/operator_word.hpp"
 #include "services/supervisor/core/strategy.hpp"
 #include "services/supervisor/core/supervisor_config.hpp"
 
@@ -41,15 +42,20 @@ struct Decision {
 /// The behaviour machine of the paper (section 3): pure function from (state, perception) to
 /// (state, decision).
 ///
-///     idle -> approach <-> climb -> mode 1 -> mode 2     any of them -> done, failed: as the phase
-///     says, for good
-///                                                        any of them -> safe stop -> approach
+///     idle -> approach <-> climb -> mode 1 -> mode 2
+///     any of them -> done, failed: as the phase says, for good
+///     any of them -> safe stop -> approach
+///     any of them -> manual -> approach: as the operator says
 ///
 /// approach -> climb: BS over its threshold. climb -> mode 1: BS over it for settle_ticks on end
 /// ("after a certain time step"); -> approach: BS fell back. mode 1 -> mode 2: AS below its
 /// threshold for confirm_ticks on end, counted from arm_ticks after mode 1 began. After a safe stop
 /// the machine approaches again, whatever it did before: the robot has been homed, and if it still
 /// lies on the object BS will say so.
+///
+/// An operator may hold the robot to a mode or to inputs (manual), or have it follow another
+/// strategy, from its approach on. The end of the trial, a safe stop and homing come before that:
+/// what the operator said then counts from when they are over. A new state has forgotten it all.
 class BehaviourMachine {
  public:
   /// Throws std::invalid_argument, naming the value, for parameters outside the ranges given in
@@ -57,6 +63,11 @@ class BehaviourMachine {
   BehaviourMachine(SupervisorConfig config, Strategy strategy);
 
   [[nodiscard]] MachineState initial_state() const;
+
+  /// Takes an operator's word for the step of `tick`, which comes next. Returns why it is refused,
+  /// and nothing has changed; empty: it is taken.
+  [[nodiscard]] std::string tell(MachineState& state, const OperatorWord& word,
+                                 std::uint32_t tick) const;
 
   /// Advances `state` by one tick and returns the decision for it. At most one transition a tick.
   [[nodiscard]] Decision step(MachineState& state, const Perception& perception) const;
@@ -67,11 +78,12 @@ class BehaviourMachine {
   void approach(MachineState& state, std::uint32_t tick) const;
   void climb(MachineState& state, std::uint32_t tick) const;
   void watch_for_obstacle(MachineState& state, std::uint32_t tick, double as_rad) const;
-  [[nodiscard]] Mode mode_of(State state) const;
+  [[nodiscard]] const Strategy& strategy_of(const MachineState& state) const;
+  [[nodiscard]] Mode mode_of(const MachineState& state) const;
   [[nodiscard]] double as_threshold_rad() const;
 
   SupervisorConfig config_;
-  Strategy strategy_;
+  Strategy strategy_;  // of the trial
 };
 
 }  // namespace scarab::supervisor

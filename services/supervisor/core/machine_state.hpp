@@ -2,8 +2,10 @@
 
 #include <array>
 #include <cstdint>
+#include <string>
 #include <type_traits>
 
+#include "services/supervisor/core/manual.hpp"
 #include "services/supervisor/core/signals.hpp"
 
 namespace scarab::supervisor {
@@ -11,8 +13,9 @@ namespace scarab::supervisor {
 /// Where the machine stands. Values equal those of the IDL enumeration.
 enum class State { kIdle, kApproach, kClimb, kMode1, kMode2, kDone, kFailed, kSafeStop, kManual };
 
-/// Zero-terminated; as long as the IDL's string.
+/// Zero-terminated; each as long as the IDL's string.
 using Reason = std::array<char, 128>;
+using StrategyName = std::array<char, 64>;
 
 /// All that the machine remembers between ticks. Trivially copyable: it is written to disk as it
 /// is.
@@ -23,10 +26,24 @@ struct MachineState {
   ExponentialMean bs;              ///< of the rear pitch, rad
   std::uint32_t bs_above = 0;      ///< consecutive ticks with BS over its threshold, of a climb
   std::uint32_t as_below =
-      0;                 ///< consecutive ticks with AS under its threshold, of an armed mode 1
-  MovingWindow front_f;  ///< mean angle of the two front F-joints, rad
+      0;                    ///< consecutive ticks with AS under its threshold, of an armed mode 1
+  MovingWindow front_f;     ///< mean angle of the two front F-joints, rad
+  Manual manual;            ///< what the operator holds the robot to
+  StrategyName strategy{};  ///< the one the operator chose; empty: the trial's
 };
 
 static_assert(std::is_trivially_copyable_v<MachineState>);
+
+/// Goes over to `next` at `tick`; a reason that is too long is cut.
+void enter(MachineState& machine, State next, std::uint32_t tick, const std::string& reason);
+
+/// Follows the configured strategy of that name from now on.
+void choose_strategy(MachineState& machine, const std::string& name);
+
+[[nodiscard]] bool is_manual(const MachineState& machine);
+
+/// What of the operator's words holds, such as "manual: mode forward" or "automatic: strategy
+/// soft".
+[[nodiscard]] std::string standing(const MachineState& machine);
 
 }  // namespace scarab::supervisor

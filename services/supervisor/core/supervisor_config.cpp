@@ -4,16 +4,21 @@
 
 namespace scarab::supervisor {
 
-const Strategy& find_strategy(const SupervisorConfig& config, const std::string& name) {
-  const auto found = config.strategies.find(name);
-  if (found != config.strategies.end()) {
-    return found->second;
-  }
+std::string refusal_of_strategy(const SupervisorConfig& config, const std::string& name) {
+  if (config.strategies.count(name) != 0) return "";
   std::string names;
   for (const auto& entry : config.strategies) {
     names += (names.empty() ? "" : ", ") + entry.first;
   }
-  throw std::invalid_argument("unknown strategy '" + name + "'; there are: " + names);
+  return "unknown strategy '" + name + "'; there are: " + names;
+}
+
+const Strategy& find_strategy(const SupervisorConfig& config, const std::string& name) {
+  const auto found = config.strategies.find(name);
+  if (found == config.strategies.end()) {
+    throw std::invalid_argument(refusal_of_strategy(config, name));
+  }
+  return found->second;
 }
 
 std::array<double, 4> inputs_of(const SupervisorConfig& config, Mode mode) {

@@ -46,6 +46,9 @@ struct SupervisorConfig {
   std::map<std::string, Strategy> strategies;
 };
 
+/// Why there is no strategy of that name, with the list of those there are; empty: there is one.
+std::string refusal_of_strategy(const SupervisorConfig& config, const std::string& name);
+
 /// The strategy of that name; throws std::invalid_argument with the list of names if there is none.
 const Strategy& find_strategy(const SupervisorConfig& config, const std::string& name);
 

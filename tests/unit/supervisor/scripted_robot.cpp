@@ -4,12 +4,18 @@
 
 namespace scarab::supervisor {
 
-SupervisorConfig f2_config() { return load_config(SCARAB_SOURCE_DIR "/config/supervisor/beetle.yaml"); }
+SupervisorConfig f2_config() {
+  return load_config(SCARAB_SOURCE_DIR "/config/supervisor/beetle.yaml");
+}
 
 ScriptedRobot::ScriptedRobot(const std::string& strategy, const SupervisorConfig& config)
     : front_f_rad(config.as.reference_rad),
       machine(config, find_strategy(config, strategy)),
       state(machine.initial_state()) {}
+
+std::string ScriptedRobot::tell(const OperatorWord& word) {
+  return machine.tell(state, word, tick_);
+}
 
 Decision ScriptedRobot::tick() {
   Perception perception;
@@ -41,6 +47,27 @@ ScriptedRobot on_the_object(const std::string& strategy, const SupervisorConfig&
   robot.pitch_rad = 0.18;
   robot.until(State::kMode1);
   return robot;
+}
+
+OperatorWord mode_word(Mode mode) {
+  OperatorWord word;
+  word.command = OperatorWord::Command::kMode;
+  word.mode = mode;
+  return word;
+}
+
+OperatorWord inputs_word(const std::array<double, 4>& inputs) {
+  OperatorWord word;
+  word.command = OperatorWord::Command::kInputs;
+  word.inputs = inputs;
+  return word;
+}
+
+OperatorWord strategy_word(const std::string& strategy) {
+  OperatorWord word;
+  word.command = OperatorWord::Command::kStrategy;
+  word.strategy = strategy;
+  return word;
 }
 
 std::string reason(const Decision& decision) { return decision.reason.data(); }

@@ -19,6 +19,8 @@ class ScriptedRobot {
   double front_f_rad = 0;  ///< starts at the reference angle: both front legs hold their target
   Phase phase = Phase::kRunning;
 
+  /// The operator says this before the next tick; returns why it is refused.
+  [[nodiscard]] std::string tell(const OperatorWord& word);
   /// One tick; returns its decision.
   Decision tick();
   /// `count` ticks; returns the last decision.
@@ -39,6 +41,10 @@ class ScriptedRobot {
 /// A robot that has climbed and is in mode 1.
 ScriptedRobot on_the_object(const std::string& strategy,
                             const SupervisorConfig& config = f2_config());
+
+OperatorWord mode_word(Mode mode);
+OperatorWord inputs_word(const std::array<double, 4>& inputs);
+OperatorWord strategy_word(const std::string& strategy);
 
 std::string reason(const Decision& decision);
 

@@ -53,6 +53,25 @@ TEST(TrialPhase, StopsWithTheSafeStopAndApproachesAgainAfterIt) {
   EXPECT_EQ(robot.ticks(100).state, State::kApproach);
 }
 
+TEST(TrialPhase, HoldsStillWhileHoming) {
+  ScriptedRobot robot = on_the_object("soft+hard");
+  robot.phase = Phase::kSafeStop;
+  robot.ticks(10);
+  const std::uint32_t homing = robot.next_tick();
+  robot.phase = Phase::kHoming;
+  const Decision decision = robot.ticks(30);
+  EXPECT_EQ(decision.state, State::kSafeStop);
+  EXPECT_EQ(decision.mode, Mode::kStop);
+  EXPECT_EQ(reason(decision), "homing");
+  EXPECT_EQ(decision.entered_tick, homing);
+  robot.phase = Phase::kSafeStop;  // a second emergency stop on the way home
+  EXPECT_THAT(reason(robot.tick()), testing::HasSubstr("safe stop"));
+  robot.phase = Phase::kHoming;
+  robot.tick();
+  robot.phase = Phase::kRunning;
+  EXPECT_EQ(robot.tick().state, State::kApproach);
+}
+
 TEST(TrialPhase, FindsTheObjectAgainAfterASafeStop) {
   ScriptedRobot robot = on_the_object("soft+hard");
   robot.front_f_rad = kBlockedRad;
