@@ -4,6 +4,12 @@ namespace scarab::bus {
 
 namespace {
 
+// Ports that follow from the index of a process on its host, 0 to 63: who is asked, not heard, must
+// answer where others can guess.
+constexpr const char* kGuessablePorts =
+    "<ParticipantIndex>auto</ParticipantIndex>"
+    "<MaxAutoParticipantIndex>63</MaxAutoParticipantIndex>";
+
 std::string escape(const std::string& text) {
   std::string out;
   for (const char c : text) {
@@ -31,19 +37,31 @@ std::string escape(const std::string& text) {
   return out;
 }
 
+bool by_peers(const ParticipantOptions& options) { return !options.peers.empty(); }
+
 std::string interfaces(const ParticipantOptions& options) {
   const bool is_address = options.interface.find_first_not_of("0123456789.") == std::string::npos ||
                           options.interface.find(':') != std::string::npos;
   return std::string("<Interfaces><NetworkInterface ") + (is_address ? "address" : "name") + "=\"" +
-         escape(options.interface) + "\" multicast=\"true\"/></Interfaces>";
+         escape(options.interface) + "\" multicast=\"" + (by_peers(options) ? "false" : "true") +
+         "\"/></Interfaces>";
 }
 
-std::string discovery(const ParticipantOptions& options) {
+std::string multicast(const ParticipantOptions& options) {
+  return std::string("<AllowMulticast>") + (by_peers(options) ? "false" : "spdp") +
+         "</AllowMulticast>";
+}
+
+/// In which domain, and with whom.
+std::string whereabouts(const ParticipantOptions& options) {
   // Participants of one process each get a Cyclone domain of their own; on the network they are in
   // the same one through the external identifier.
   std::string out = "<ExternalDomainId>" + std::to_string(options.domain) + "</ExternalDomainId>";
   if (!options.tag.empty()) out += "<Tag>" + escape(options.tag) + "</Tag>";
-  return out;
+  if (!by_peers(options)) return out;
+  out += "<Peers>";
+  for (const auto& peer : options.peers) out += "<Peer address=\"" + escape(peer) + "\"/>";
+  return out + "</Peers>";
 }
 
 std::string document(const std::string& general, const std::string& discovery) {
@@ -52,23 +70,24 @@ std::string document(const std::string& general, const std::string& discovery) {
   return out + "<Discovery>" + discovery + "</Discovery></Domain></CycloneDDS>";
 }
 
+/// What the options that differ from their defaults change of a configuration of the user's own.
+std::string overlay(const ParticipantOptions& options) {
+  std::string general;
+  if (options.interface != kDefaultInterface) general += interfaces(options);
+  if (by_peers(options)) general += multicast(options);
+  return document(general, (by_peers(options) ? kGuessablePorts : "") + whereabouts(options));
+}
+
 }  // namespace
 
 std::string domain_config(const ParticipantOptions& options,
                           const std::optional<std::string>& base) {
-  if (base.has_value()) {
-    const bool explicit_interface = options.interface != kDefaultInterface;
-    return *base + "," +
-           document(explicit_interface ? interfaces(options) : "", discovery(options));
-  }
+  if (base.has_value()) return *base + "," + overlay(options);
   // Longer than any wait of a running trial: a process that is stopped or starved for less is not
   // forgotten, so nothing sent meanwhile is lost. That it is silent shows in service_status after 1
   // s.
-  return document(interfaces(options) + "<AllowMulticast>spdp</AllowMulticast>",
-                  "<ParticipantIndex>auto</ParticipantIndex>"
-                  "<MaxAutoParticipantIndex>63</MaxAutoParticipantIndex>"
-                  "<LeaseDuration>12s</LeaseDuration>" +
-                      discovery(options));
+  return document(interfaces(options) + multicast(options),
+                  kGuessablePorts + ("<LeaseDuration>12s</LeaseDuration>" + whereabouts(options)));
 }
 
 }  // namespace scarab::bus

@@ -3,6 +3,7 @@
 #include <cstdint>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "common/bus/peer.hpp"
 
@@ -16,13 +17,17 @@ struct ParticipantOptions {
   std::string tag;                            ///< Cyclone's discovery tag; empty: none
   std::string interface = kDefaultInterface;  ///< name or address of a network interface
   Peer self;                                  ///< who the participant's endpoints say they are
+  /// Addresses or names of the other hosts, for a network without multicast; empty: multicast finds
+  /// everybody.
+  std::vector<std::string> peers = {};
 };
 
 /// The Cyclone DDS configuration of a participant.
 ///
-/// Without `base` it is the built-in one: the given interface, discovery by multicast, up to 64
-/// participants, a lost process noticed after 1 s. With `base` (the text of CYCLONEDDS_URI) it is
-/// the base, over which the options that differ from their defaults are laid.
+/// Without `base` it is the built-in one: the given interface, discovery by multicast or, where
+/// `peers` are given, by asking each of them; up to 64 participants a host, a lost process
+/// forgotten after 12 s. With `base` (the text of CYCLONEDDS_URI) it is the base, over which the
+/// options that differ from their defaults are laid.
 std::string domain_config(const ParticipantOptions& options,
                           const std::optional<std::string>& base);
 

@@ -1,16 +1,11 @@
 #include "common/bus/participant.hpp"
 
-#include <arpa/inet.h>
-#include <ifaddrs.h>
-#include <net/if.h>
-#include <netdb.h>
-
-#include <array>
 #include <cstdlib>
-#include <memory>
 #include <optional>
 
 #include "common/bus/cyclone_log.hpp"
+#include "common/bus/network_interface.hpp"
+#include "common/bus/peer_hosts.hpp"
 #include "common/bus/qos.hpp"
 
 namespace scarab::bus {
@@ -18,29 +13,6 @@ namespace scarab::bus {
 namespace {
 
 constexpr std::uint32_t kLargestDomain = 230;  // the UDP ports of domain 231 are beyond 65535
-
-std::string address_text(const sockaddr* address) {
-  if (address == nullptr) return {};
-  const int family = address->sa_family;
-  if (family != AF_INET && family != AF_INET6) return {};
-  const auto size =
-      static_cast<socklen_t>(family == AF_INET ? sizeof(sockaddr_in) : sizeof(sockaddr_in6));
-  std::array<char, NI_MAXHOST> text{};
-  const int failed =
-      getnameinfo(address, size, text.data(), text.size(), nullptr, 0, NI_NUMERICHOST);
-  return failed != 0 ? std::string{} : std::string(text.data());
-}
-
-bool interface_exists(const std::string& name_or_address) {
-  ifaddrs* raw = nullptr;
-  if (getifaddrs(&raw) != 0) return true;  // cannot tell; Cyclone will
-  const std::unique_ptr<ifaddrs, decltype(&freeifaddrs)> all(raw, &freeifaddrs);
-  for (const ifaddrs* one = all.get(); one != nullptr; one = one->ifa_next) {
-    if (name_or_address == one->ifa_name) return true;
-    if (name_or_address == address_text(one->ifa_addr)) return true;
-  }
-  return false;
-}
 
 /// A Cyclone domain of its own for one participant: the DDS domain's number if this process does
 /// not use it yet, else the next free number beyond all DDS domains.
@@ -70,13 +42,14 @@ Participant::Participant(const ParticipantOptions& options) : options_(options) 
   const char* uri = std::getenv("CYCLONEDDS_URI");
   const bool has_base = uri != nullptr && *uri != '\0';
   const bool own_interface = !has_base || options.interface != kDefaultInterface;
-  if (own_interface && !interface_exists(options.interface)) {
-    throw Error("interface " + options.interface + " not found");
-  }
+  const auto interface = find_interface(options.interface);
+  if (own_interface && !interface) throw Error("interface " + options.interface + " not found");
+  if (own_interface) options_.peers = hosts_to_ask(options.peers, *interface);
   const CycloneLog log;
   try {
     domain_ = create_domain(
-        options, domain_config(options, has_base ? std::optional<std::string>(uri) : std::nullopt));
+        options_,
+        domain_config(options_, has_base ? std::optional<std::string>(uri) : std::nullopt));
     dds_domainid_t id = 0;
     check(dds_get_domainid(domain_.handle(), &id), "domain");
     const Qos qos = participant_qos(options.self);

@@ -11,7 +11,7 @@ std::string test_tag() {
 }
 
 bus::ParticipantOptions test_options(const std::string& service, std::uint32_t instance) {
-  return {0, test_tag(), "lo", {service, instance}};
+  return {0, test_tag(), bus::kDefaultInterface, {service, instance}};
 }
 
 }  // namespace scarab::test

@@ -24,6 +24,28 @@ TEST(DomainConfig, OptionsAppear) {
   EXPECT_THAT(config, HasSubstr("NetworkInterface address=\"10.0.0.1\""));
 }
 
+TEST(DomainConfig, WithPeersNothingIsSentByMulticast) {
+  ParticipantOptions options;
+  options.interface = "eth1";
+  options.peers = {"10.0.0.2", "rover"};
+  const std::string config = domain_config(options, std::nullopt);
+  EXPECT_THAT(config, HasSubstr("multicast=\"false\""));
+  EXPECT_THAT(config, HasSubstr("<AllowMulticast>false<"));
+  EXPECT_THAT(config, HasSubstr("<Peer address=\"10.0.0.2\"/><Peer address=\"rover\"/>"));
+  // Else nobody who is asked would answer.
+  EXPECT_THAT(config, HasSubstr("<ParticipantIndex>auto<"));
+}
+
+TEST(DomainConfig, PeersAreLaidOverABase) {
+  ParticipantOptions options;
+  options.peers = {"10.0.0.2"};
+  const std::string config = domain_config(options, "file:///etc/c.xml");
+  EXPECT_THAT(config, StartsWith("file:///etc/c.xml,<"));
+  EXPECT_THAT(config, HasSubstr("<Peer address=\"10.0.0.2\"/>"));
+  EXPECT_THAT(config, HasSubstr("<AllowMulticast>false<"));
+  EXPECT_THAT(config, HasSubstr("<ParticipantIndex>auto<"));
+}
+
 TEST(DomainConfig, ABaseIsOnlyOverriddenByWhatWasGiven) {
   const std::string config = domain_config({0, "", "lo", {}}, "file:///etc/c.xml");
   EXPECT_THAT(config, StartsWith("file:///etc/c.xml,<"));
