@@ -58,8 +58,12 @@ void check(const robot::RobotModel& robot, const ObjectConfig& object) {
     throw std::invalid_argument("trunk hinge lies outside the trunk");
   }
   for (const robot::LegRow& row : robot.rows) {
-    for (const robot::Segment* segment : {&row.shoulder, &row.coxa, &row.femur, &row.tibia}) {
+    // The shoulder alone may have no length: a thoraco-coxal joint inside the trunk.
+    if (row.shoulder.length_m != 0) require_positive(row.shoulder.length_m, "shoulder length");
+    for (const robot::Segment* segment : {&row.coxa, &row.femur, &row.tibia}) {
       require_positive(segment->length_m, "leg segment length");
+    }
+    for (const robot::Segment* segment : {&row.shoulder, &row.coxa, &row.femur, &row.tibia}) {
       require_positive(segment->radius_m, "leg segment radius");
       require_positive(segment->mass_kg, "leg segment mass");
     }
