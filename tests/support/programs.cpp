@@ -1,6 +1,5 @@
 #include "tests/support/programs.hpp"
 
-#include <map>
 #include <stdexcept>
 
 #include "tests/support/files.hpp"
@@ -8,14 +7,6 @@
 
 namespace scarab::test {
 namespace {
-
-const std::map<std::string, std::string>& shipped_configs() {
-  static const std::map<std::string, std::string> files = {
-      {"plant", "config/plant/beetle.yaml"},
-      {"supervisor", "config/supervisor/beetle.yaml"},
-      {"premotor", "config/premotor/beetle.yaml"}};
-  return files;
-}
 
 void append(Arguments& arguments, const Arguments& more) {
   arguments.insert(arguments.end(), more.begin(), more.end());
@@ -29,21 +20,21 @@ std::filesystem::path source_file(const std::string& relative) {
 
 std::string program(const std::string& name) { return std::string(SCARAB_BIN_DIR) + "/" + name; }
 
-Arguments shipped_files(const std::string& service) {
+Arguments shipped_files(const std::string& service, const std::string& robot) {
+  const auto file = [&](const std::string& folder) {
+    return source_file("config/" + folder + "/" + robot + ".yaml");
+  };
   Arguments arguments;
-  if (service == "plant" || service == "premotor") {
-    append(arguments, {"--robot", source_file("config/robot/beetle.yaml")});
-  }
-  const auto config = shipped_configs().find(service);
-  if (config != shipped_configs().end()) {
-    append(arguments, {"--config", source_file(config->second)});
+  if (service == "plant" || service == "premotor") append(arguments, {"--robot", file("robot")});
+  if (service == "plant" || service == "premotor" || service == "supervisor") {
+    append(arguments, {"--config", file(service)});
   }
   return arguments;
 }
 
 ChildProcess start(const ServiceLaunch& launch) {
   Arguments command = {program("scarab-" + launch.name), "--tag", test_tag()};
-  append(command, shipped_files(launch.name));
+  append(command, shipped_files(launch.name, launch.robot));
   append(command, {"--instance", std::to_string(launch.instance)});
   if (!launch.expect.empty()) append(command, {"--expect", launch.expect});
   append(command, {"--run-dir", launch.run_dir});

@@ -16,8 +16,8 @@ std::filesystem::path source_file(const std::string& relative);
 /// The path of a program of this build, such as `scarab-plant`.
 std::string program(const std::string& name);
 
-/// The files of a service as the project ships them: --robot and --config.
-Arguments shipped_files(const std::string& service);
+/// The files of a service as the project ships them for a robot: --robot and --config.
+Arguments shipped_files(const std::string& service, const std::string& robot = "beetle");
 
 /// How a service of the running test is started.
 struct ServiceLaunch {
@@ -26,6 +26,7 @@ struct ServiceLaunch {
   std::filesystem::path run_dir;
   std::uint32_t instance = 0;
   Arguments more;
+  std::string robot = "beetle";  ///< whose files
 };
 
 /// Starts it with the shipped files on the test's tag; its output goes to `<run_dir>/<name>-<i>.*`.

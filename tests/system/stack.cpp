@@ -6,6 +6,7 @@ namespace scarab::test {
 
 Stack::Stack(const std::filesystem::path& directory, const Options& options)
     : directory_(directory),
+      robot_(options.robot),
       expect_("logger=1,plant=1,supervisor=1,premotor=" + std::to_string(options.premotors)) {
   std::filesystem::create_directories(directory_);
   for (const auto* name : {"logger", "plant", "supervisor"}) {
@@ -19,7 +20,7 @@ Stack::Stack(const std::filesystem::path& directory, const Options& options)
 ChildProcess Stack::launch(const Key& key) const {
   Arguments more;
   if (key.first == "logger") more = {"--output", log()};
-  return start({key.first, expect_, directory_, key.second, more});
+  return start({key.first, expect_, directory_, key.second, more, robot_});
 }
 
 ChildProcess& Stack::service(const std::string& name, std::uint32_t instance) {
@@ -65,19 +66,13 @@ std::string Stack::errors() const {
 
 Arguments main_trial() { return {"--strategy", "soft+hard", "--height", "0.10", "--seed", "1"}; }
 
-Arguments simulate(const std::filesystem::path& output) {
-  Arguments command = {program("scarab-sim"),
-                       "--robot",
-                       source_file("config/robot/beetle.yaml"),
-                       "--plant",
-                       source_file("config/plant/beetle.yaml"),
-                       "--premotor",
-                       source_file("config/premotor/beetle.yaml"),
-                       "--supervisor",
-                       source_file("config/supervisor/beetle.yaml"),
-                       "--output",
-                       output};
-  const Arguments trial = main_trial();
+Arguments simulate(const std::filesystem::path& output, const Arguments& trial,
+                   const std::string& robot) {
+  Arguments command = {program("scarab-sim"), "--output", output};
+  for (const std::string folder : {"robot", "plant", "premotor", "supervisor"}) {
+    command.push_back("--" + folder);
+    command.push_back(source_file("config/" + folder + "/" + robot + ".yaml"));
+  }
   command.insert(command.end(), trial.begin(), trial.end());
   return command;
 }

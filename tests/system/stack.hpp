@@ -13,6 +13,7 @@ class Stack {
  public:
   struct Options {
     unsigned premotors = 1;
+    std::string robot = "beetle";
   };
 
   /// Starts all services; `directory` is made and becomes their run directory.
@@ -40,6 +41,7 @@ class Stack {
   [[nodiscard]] ChildProcess launch(const Key& key) const;
 
   std::filesystem::path directory_;
+  std::string robot_;
   std::string expect_;
   std::map<Key, ChildProcess> services_;
 };
@@ -47,7 +49,8 @@ class Stack {
 /// The trial of the main job: two changes of mode, over the paper's highest obstacle.
 Arguments main_trial();
 
-/// The arguments of scarab-sim with the shipped files.
-Arguments simulate(const std::filesystem::path& output);
+/// The arguments of scarab-sim with the files shipped for a robot: `trial` recorded in `output`.
+Arguments simulate(const std::filesystem::path& output, const Arguments& trial = main_trial(),
+                   const std::string& robot = "beetle");
 
 }  // namespace scarab::test
