@@ -104,17 +104,55 @@ TEST_F(Operator, EmergencyStopHoldsTheRobotUntilReset) {
     EXPECT_NEAR(held.position_rad[joint], state->position_rad[joint], 0.1) << "joint " << joint;
   }
   EXPECT_TRUE(counted("commands_refused_safe_stop", 20));
+}
 
+TEST_F(Operator, ResetHomesTheRobotBeforeCommandsCountAgain) {
+  const auto start = begin();
+  ASSERT_TRUE(start);
+  // Away from the start pose, as fast as the joints go.
+  std::optional<scarab_RobotState> state = start;
+  for (std::uint32_t tick = 0; tick < 5; ++tick) {
+    auto command = ChainEnds::command_for(*start);
+    command.header = state->header;
+    for (std::size_t leg = 0; leg < 6; ++leg) command.position_rad[leg] += 0.3;
+    ends_.behave(*state);
+    ends_.command(command);
+    state = ends_.states().await(1, tick + 1);
+    ASSERT_TRUE(state) << child_.err();
+  }
+  const auto away = state->position_rad[0] - start->position_rad[0];
+  ASSERT_GT(away, 0.2);
+  ASSERT_EQ(say("emergency-stop", "smoke"), 0);
+  ASSERT_TRUE(status_.await_message(self_, "safe stop"));
   ASSERT_EQ(say("reset"), 0);
-  std::uint32_t tick = 25;
-  EXPECT_TRUE(eventually([&] {
-    const auto now = ends_.states().await(1, tick++);
-    if (!now) return true;
-    ends_.answer(*now);
-    return now->phase == scarab_PHASE_RUNNING;
-  }));
-  EXPECT_EQ(ends_.states().all().back().phase, scarab_PHASE_RUNNING) << child_.err();
+  ASSERT_TRUE(status_.await_message(self_, "homing")) << child_.err();
+
+  unsigned homing = 0;
+  double fastest_rad = 0;
+  for (std::uint32_t tick = 5; state->phase != scarab_PHASE_RUNNING || tick < 8; ++tick) {
+    ASSERT_LT(tick, 100U) << child_.err();
+    ends_.answer(*state);  // stay: were it to count, the robot would not come home
+    const auto next = ends_.states().await(1, tick + 1);
+    ASSERT_TRUE(next) << child_.err();
+    if (next->phase == scarab_PHASE_HOMING) {
+      ++homing;
+      fastest_rad = std::max(fastest_rad, std::abs(next->position_rad[0] - state->position_rad[0]));
+    }
+    state = next;
+  }
+  EXPECT_GE(homing, 3U);
+  EXPECT_LT(fastest_rad, 0.1) << "0.5 rad/s for a tick, and the legs' compliance";
+  EXPECT_NEAR(state->position_rad[0], start->position_rad[0], 0.1) << "feet stick, servos give";
   EXPECT_TRUE(healthy());
+}
+
+TEST_F(Operator, EmergencyStopWithoutATrialHoldsTheNextOne) {
+  ASSERT_TRUE(eventually([&] { return world_.matched(); })) << child_.err();
+  ASSERT_EQ(say("emergency-stop", "hands in the way"), 0);
+  ASSERT_TRUE(status_.await_message(self_, "hands in the way"));
+  const auto state = begin();
+  ASSERT_TRUE(state);
+  EXPECT_EQ(state->phase, scarab_PHASE_SAFE_STOP);
 }
 
 TEST_F(Operator, NobodyListeningIsAFailure) {

@@ -85,6 +85,36 @@ TYPED_TEST_P(Responder, SkippedTickIsAFault) {
   EXPECT_EQ(stand_ins.answers().count(1, 7), 0U);
 }
 
+/// In real time nobody repeats a question: the answer comes at once, from a state whose time has
+/// gone on.
+TYPED_TEST_P(Responder, InRealTimeItCatchesUpThroughMissedTicks) {
+  auto& stand_ins = this->stand_ins_;
+  const auto ask_in_real_time = [&](std::uint32_t tick) {
+    auto question = TypeParam::question_of(1, tick);
+    question.real_time = true;
+    stand_ins.ask(question);
+    return stand_ins.answers().await(1, tick);
+  };
+  stand_ins.tell_trial(1);
+  {
+    auto child = this->start_ready(1);
+    for (std::uint32_t tick = 0; tick <= 3; ++tick) ASSERT_TRUE(ask_in_real_time(tick));
+    child.kill();
+  }
+  const auto child = this->start_ready(1);
+  const auto asked = std::chrono::steady_clock::now();
+  ASSERT_TRUE(ask_in_real_time(9)) << child.err();
+  EXPECT_LT(std::chrono::steady_clock::now() - asked, std::chrono::milliseconds(900))
+      << "it waited for questions that cannot come";
+  ASSERT_TRUE(ask_in_real_time(10));
+  const auto report = this->status_.await(
+      this->self_, [](const auto& r) { return r.counters.count("ticks_missed") == 1; });
+  ASSERT_TRUE(report);
+  EXPECT_EQ(report->counters.at("ticks_missed"), 5U);
+  EXPECT_EQ(report->message, "caught up at tick 9 after 5 missed ticks");
+  EXPECT_EQ(report->health, scarab_HEALTH_OK);
+}
+
 TYPED_TEST_P(Responder, KilledBetweenTicksItGoesOnBitByBit) {
   auto& stand_ins = this->stand_ins_;
   constexpr std::uint32_t kLast = 45;
@@ -188,6 +218,7 @@ TYPED_TEST_P(Responder, EndsCleanlyOnSignals) {
 
 REGISTER_TYPED_TEST_SUITE_P(Responder, AnswersEachQuestionOnce,
                             RepeatedQuestionGetsTheSameAnswerAgain, SkippedTickIsAFault,
+                            InRealTimeItCatchesUpThroughMissedTicks,
                             KilledBetweenTicksItGoesOnBitByBit,
                             KilledBeforeItAnswersItAnswersOnceRestarted,
                             QuestionsOfAnOldTrialAreDropped, QuestionsOfATrialNotYetKnownAreHeld,

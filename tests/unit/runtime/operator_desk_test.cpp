@@ -22,6 +22,7 @@ class OperatorDeskTest : public testing::Test {
   OperatorDesk::Requests say(scarab_OperatorCommand command, const std::string& reason = "") {
     scarab_Operator said{};
     said.command = command;
+    said.header.stamp_ns = ++stamp_ns_;
     bus::assign(said.reason, reason);
     writer_.write(said);
     EXPECT_TRUE(wait_set_.wait(test::kPatience));
@@ -33,6 +34,7 @@ class OperatorDeskTest : public testing::Test {
   bus::Writer<scarab_Operator> writer_{person_, bus::kOperator};
   bus::WaitSet wait_set_{plant_};
   OperatorDesk desk_{plant_};
+  std::int64_t stamp_ns_ = 1000;
 };
 
 TEST_F(OperatorDeskTest, RunsUntilToldOtherwise) {
@@ -90,6 +92,25 @@ TEST_F(OperatorDeskTest, StopsAreToldOnceWithTheirReason) {
             "operator emergency stop: no reason given");
   EXPECT_TRUE(say(scarab_OPERATOR_RESET).reset);
   EXPECT_FALSE(desk_.update().reset);
+}
+
+TEST_F(OperatorDeskTest, AcknowledgesWhatItCarriedOut) {
+  EXPECT_EQ(desk_.stamp_ns(), 0);
+  for (const auto command : {scarab_OPERATOR_PAUSE, scarab_OPERATOR_EMERGENCY_STOP}) {
+    say(command);
+    EXPECT_EQ(desk_.stamp_ns(), stamp_ns_);
+  }
+}
+
+TEST_F(OperatorDeskTest, LeavesTheSupervisorsCommandsToIt) {
+  say(scarab_OPERATOR_PAUSE);
+  for (const auto command : {scarab_OPERATOR_AUTOMATIC, scarab_OPERATOR_STRATEGY,
+                             scarab_OPERATOR_MODE, scarab_OPERATOR_INPUTS}) {
+    const auto requests = say(command);
+    EXPECT_FALSE(requests.stop || requests.emergency_stop || requests.reset);
+    EXPECT_TRUE(desk_.paused());
+    EXPECT_EQ(desk_.stamp_ns(), 1001);
+  }
 }
 
 }  // namespace

@@ -48,6 +48,24 @@ class StatusTest : public testing::Test {
   StatusBoard board_{watcher_};
 };
 
+TEST_F(StatusTest, HistogramsArriveAsTheyWere) {
+  Histogram age, jitter;
+  for (int us = 1; us < 30'000; us *= 2) age.add(std::chrono::microseconds(us));
+  jitter.add(std::chrono::seconds(20));
+  Service service;
+  service.status.set_histogram("command_age", age);
+  service.status.set_histogram("tick_jitter", jitter);
+  service.status.set_ready(1);
+  service.status.publish_if_due();
+  ASSERT_TRUE(reported([](const auto& report) { return report.ready_trial == 1; }));
+  const auto& shown = board_.find(kPremotor)->histograms;
+  ASSERT_EQ(shown.size(), 2U);
+  EXPECT_EQ(shown.at("command_age").counts(), age.counts());
+  EXPECT_EQ(shown.at("command_age").sum_s(), age.sum_s());
+  EXPECT_EQ(shown.at("command_age").max_s(), age.max_s());
+  EXPECT_EQ(shown.at("tick_jitter").counts(), jitter.counts());
+}
+
 TEST_F(StatusTest, BoardShowsWhatAServiceSays) {
   Service service;
   service.status.set_lifecycle(scarab_LIFECYCLE_ACTIVE);
