@@ -1,6 +1,8 @@
 #include "services/plant/config.hpp"
 
 #include <cmath>
+#include <stdexcept>
+#include <string_view>
 
 #include "common/config/config.hpp"
 
@@ -10,11 +12,36 @@ namespace {
 constexpr double kNsPerS = 1e9;
 constexpr config::Range kPeriod{1e-6, 10};
 constexpr config::Range kFriction{0, 10};
+constexpr config::Range kDelay{0, 0.5};  // beyond it no controller of this kind walks
+constexpr config::Range kLoss{0, 0.99};  // a sensor that never reads is an absent one
 
 /// `period` is a whole number of `part`s, to the nanosecond.
 bool divides(double part_s, double period_s) {
   const auto part = std::llround(part_s * kNsPerS);
   return part > 0 && std::llround(period_s * kNsPerS) % part == 0;
+}
+
+/// Names of the keys that carry a sensor's unit.
+struct UnitKeys {
+  std::string_view noise;
+  std::string_view bias;
+  std::string_view quantum;
+};
+
+constexpr UnitKeys unit_keys(Quantity quantity) {
+  switch (quantity) {
+    case Quantity::kAngle:
+      return {"noise_rad", "bias_rad", "quantum_rad"};
+    case Quantity::kAngularVelocity:
+      return {"noise_rad_s", "bias_rad_s", "quantum_rad_s"};
+    case Quantity::kTorque:
+      return {"noise_nm", "bias_nm", "quantum_nm"};
+    case Quantity::kForce:
+      return {"noise_n", "bias_n", "quantum_n"};
+    case Quantity::kAcceleration:
+      return {"noise_m_s2", "bias_m_s2", "quantum_m_s2"};
+  }
+  throw std::invalid_argument("no such quantity");
 }
 
 }  // namespace
@@ -90,15 +117,31 @@ void visit_fields(Fields& f, StartConfig& c) {
   f("settle_s", c.settle_s, config::Range{0, 60});
 }
 
+template <class Fields, Quantity kQuantity>
+void visit_fields(Fields& f, SensorConfig<kQuantity>& c) {
+  constexpr UnitKeys kKeys = unit_keys(kQuantity);
+  f(kKeys.noise, c.noise, config::kNonNegative);
+  f(kKeys.bias, c.bias, config::kNonNegative);
+  f(kKeys.quantum, c.quantum, config::kNonNegative);
+  f("latency_s", c.latency_s, kDelay);
+  f("dropout", c.dropout, kLoss);
+}
+
 template <class Fields>
-void visit_fields(Fields& f, SensorNoiseConfig& c) {
-  f("position_rad", c.position_rad, config::kNonNegative);
-  f("velocity_rad_s", c.velocity_rad_s, config::kNonNegative);
-  f("torque_nm", c.torque_nm, config::kNonNegative);
-  f("foot_force_n", c.foot_force_n, config::kNonNegative);
-  f("inclination_rad", c.inclination_rad, config::kNonNegative);
-  f("angular_velocity_rad_s", c.angular_velocity_rad_s, config::kNonNegative);
-  f("acceleration_m_s2", c.acceleration_m_s2, config::kNonNegative);
+void visit_fields(Fields& f, SensorsConfig& c) {
+  f("joint_position", c.joint_position);
+  f("joint_velocity", c.joint_velocity);
+  f("joint_torque", c.joint_torque);
+  f("foot_force", c.foot_force);
+  f("inclination", c.inclination);
+  f("angular_velocity", c.angular_velocity);
+  f("acceleration", c.acceleration);
+}
+
+template <class Fields>
+void visit_fields(Fields& f, CommandPathConfig& c) {
+  f("latency_s", c.latency_s, kDelay);
+  f("jitter_s", c.jitter_s, kDelay);
 }
 
 template <class Fields>
@@ -119,8 +162,25 @@ void visit_fields(Fields& f, PlantConfig& c) {
   f("object", c.object);
   f("obstacle", c.obstacle);
   f("start", c.start);
-  f("noise", c.noise);
+  f("sensors", c.sensors);
+  f("commands", c.commands);
   f("referee", c.referee);
+}
+
+void validate(const PlantConfig& c, const config::Check& check) {
+  const auto whole = [&](double time_s, std::string_view key) {
+    check.require(divides(c.timing.step_s, time_s), key,
+                  "must be a whole number of steps (timing.step_s)");
+  };
+  whole(c.sensors.joint_position.latency_s, "sensors.joint_position.latency_s");
+  whole(c.sensors.joint_velocity.latency_s, "sensors.joint_velocity.latency_s");
+  whole(c.sensors.joint_torque.latency_s, "sensors.joint_torque.latency_s");
+  whole(c.sensors.foot_force.latency_s, "sensors.foot_force.latency_s");
+  whole(c.sensors.inclination.latency_s, "sensors.inclination.latency_s");
+  whole(c.sensors.angular_velocity.latency_s, "sensors.angular_velocity.latency_s");
+  whole(c.sensors.acceleration.latency_s, "sensors.acceleration.latency_s");
+  whole(c.commands.latency_s, "commands.latency_s");
+  whole(c.commands.jitter_s, "commands.jitter_s");
 }
 
 PlantConfig load_config(const std::filesystem::path& path) {

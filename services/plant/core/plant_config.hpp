@@ -2,6 +2,8 @@
 
 #include <array>
 
+#include "services/plant/core/sensor_config.hpp"
+
 namespace scarab::plant {
 
 /// Periods of the simulation. Each is a whole number of nanoseconds; the sensor period is a
@@ -70,17 +72,6 @@ struct StartConfig {
   double settle_s = 0;  ///< simulated before t = 0 with the stance as target
 };
 
-/// Standard deviations of Gaussian sensor noise; 0: none.
-struct SensorNoiseConfig {
-  double position_rad = 0;
-  double velocity_rad_s = 0;
-  double torque_nm = 0;
-  double foot_force_n = 0;
-  double inclination_rad = 0;
-  double angular_velocity_rad_s = 0;
-  double acceleration_m_s2 = 0;
-};
-
 /// Limits by which the referee judges a trial.
 struct RefereeConfig {
   double across_margin_m = 0;      ///< the object's axis this far past the obstacle is across
@@ -98,7 +89,8 @@ struct PlantConfig {
   ObjectConfig object;
   ObstacleConfig obstacle;
   StartConfig start;
-  SensorNoiseConfig noise;
+  SensorsConfig sensors;
+  CommandPathConfig commands;
   RefereeConfig referee;
 };
 

@@ -3,9 +3,11 @@
 #include <cmath>
 #include <stdexcept>
 
+#include "services/plant/core/command_delay.hpp"
 #include "services/plant/core/morphology.hpp"
 #include "services/plant/core/referee.hpp"
 #include "services/plant/core/scene.hpp"
+#include "services/plant/core/sensor_readings.hpp"
 #include "services/plant/core/sensors.hpp"
 #include "services/plant/core/stepper.hpp"
 #include "services/plant/core/timing.hpp"
@@ -38,6 +40,12 @@ ContactTruth contact_truth(const ResolvedContact& resolved) {
           contact.touch.depth};
 }
 
+JointPresence presence(const Morphology& morphology) {
+  JointPresence out{};
+  for (std::size_t j = 0; j < out.size(); ++j) out[j] = morphology.joints[j].present;
+  return out;
+}
+
 }  // namespace
 
 class Simulation::Impl {
@@ -52,17 +60,16 @@ class Simulation::Impl {
         referee_(config.referee, trial, wall_),
         stepper_(morphology_, config, wall_),
         state_(start_state(morphology_, config, perturbation(trial))),
-        reference_(state_.joint_rad) {
+        reference_(state_.joint_rad),
+        commands_(config.commands, trial.seed, timing_.step_ns, start_targets(config.start)),
+        sensors_(config.sensors, presence(morphology_), trial.seed, timing_.step_ns) {
     settle();
+    sensors_.see(measured());
+    sensors_.sample(0);
     object_start_x_ = state_.object_position.x();
   }
 
-  [[nodiscard]] Observation observe() const {
-    Observation out = measure(morphology_, state_, stepper_, config_.gravity_m_s2);
-    const auto sample = static_cast<std::uint64_t>(time_ns_ / timing_.sensor_period_ns);
-    add_noise(config_.noise, morphology_, trial_.seed, sample, out);
-    return out;
-  }
+  [[nodiscard]] Observation observe() const { return sensors_.newest(); }
 
   [[nodiscard]] WorldTruth truth() const {
     WorldTruth out;
@@ -86,9 +93,9 @@ class Simulation::Impl {
   [[nodiscard]] std::int64_t time_ns() const { return time_ns_; }
 
   void advance(const robot::JointVector& targets, const std::function<void()>& sample) {
+    commands_.send(tick_++, step_, targets);
     for (std::int64_t i = 0; i < timing_.samples_per_tick; ++i) {
-      for (std::int64_t k = 0; k < timing_.steps_per_sample; ++k) step(targets);
-      time_ns_ += timing_.sensor_period_ns;
+      advance_to_next_sample();
       if (sample && i + 1 < timing_.samples_per_tick) sample();
     }
     if (ruling_.verdict == Verdict::kOpen) {
@@ -98,12 +105,28 @@ class Simulation::Impl {
   }
 
  private:
+  [[nodiscard]] Observation measured() const {
+    return measure(morphology_, state_, stepper_, config_.gravity_m_s2);
+  }
+
   /// The stance is reached on the ground before the trial's time begins.
   void settle() {
     const robot::JointVector targets = start_targets(config_.start);
     const auto steps = std::max<std::int64_t>(
         1, std::llround(config_.start.settle_s * 1e9 / static_cast<double>(timing_.step_ns)));
     for (std::int64_t i = 0; i < steps; ++i) step(targets);
+  }
+
+  void advance_to_next_sample() {
+    for (std::int64_t k = 0; k < timing_.steps_per_sample; ++k) {
+      step(commands_.arrived_at(step_));
+      ++step_;
+      if (sensors_.needs_every_step() || k + 1 == timing_.steps_per_sample) {
+        sensors_.see(measured());
+      }
+    }
+    time_ns_ += timing_.sensor_period_ns;
+    sensors_.sample(++sample_);
   }
 
   void step(const robot::JointVector& targets) {
@@ -124,8 +147,13 @@ class Simulation::Impl {
   Stepper stepper_;
   MotionState state_;
   robot::JointVector reference_;
+  CommandDelay commands_;
+  SensorReadings sensors_;
   double object_start_x_ = 0;
   std::int64_t time_ns_ = 0;
+  std::int64_t step_ = 0;     // of the trial; like time_ns_ from the end of the settling
+  std::uint64_t sample_ = 0;  // index of the newest
+  std::uint64_t tick_ = 0;    // of the next command
   Ruling ruling_;
 };
 

@@ -33,4 +33,13 @@ Timing make_timing(const TimingConfig& config) {
   return out;
 }
 
+std::int64_t whole_steps(double time_s, std::int64_t step_ns, const std::string& name) {
+  if (!(time_s >= 0 && time_s < 1e6)) throw std::invalid_argument(name + " must not be negative");
+  const std::int64_t time_ns = std::llround(time_s * 1e9);
+  if (time_ns % step_ns != 0) {
+    throw std::invalid_argument(name + " is not a whole number of steps (step_s)");
+  }
+  return time_ns / step_ns;
+}
+
 }  // namespace scarab::plant

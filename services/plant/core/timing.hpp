@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <string>
 
 #include "services/plant/core/plant_config.hpp"
 
@@ -16,5 +17,10 @@ struct Timing {
 
 /// Throws std::invalid_argument unless every period is positive and each divides the next.
 [[nodiscard]] Timing make_timing(const TimingConfig& config);
+
+/// A time as a number of steps; 0 s are none. Throws std::invalid_argument, beginning with `name`,
+/// unless it is a whole number of them.
+[[nodiscard]] std::int64_t whole_steps(double time_s, std::int64_t step_ns,
+                                       const std::string& name);
 
 }  // namespace scarab::plant

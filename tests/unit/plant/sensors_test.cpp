@@ -4,6 +4,7 @@
 
 #include <cmath>
 
+#include "services/plant/core/scene.hpp"
 #include "services/plant/core/simulation.hpp"
 #include "tests/unit/plant/rig.hpp"
 
@@ -47,45 +48,47 @@ TEST(Sensors, HeadingIsNoInclination) {
   EXPECT_NEAR(seen.pitch_rad, 0, 1e-12);
 }
 
-TEST(SensorNoise, HasItsDeviationAndIsReproducible) {
-  const PlantConfig config = testing::default_config();
-  const Morphology morphology = make_morphology(testing::beetle(), config.object);
-  SensorNoiseConfig noise;
-  noise.position_rad = 0.01;
-  noise.inclination_rad = 0.02;
-  double square = 0, mean = 0, inclination = 0;
-  const int samples = 500;
-  for (int i = 0; i < samples; ++i) {
-    Observation seen, again;
-    add_noise(noise, morphology, 3, static_cast<std::uint64_t>(i), seen);
-    add_noise(noise, morphology, 3, static_cast<std::uint64_t>(i), again);
-    EXPECT_EQ(seen.position_rad, again.position_rad);
-    for (const double p : seen.position_rad) {
-      square += p * p;
-      mean += p;
-    }
-    inclination += seen.pitch_rad * seen.pitch_rad + seen.roll_rad * seen.roll_rad;
-    EXPECT_EQ(seen.torque_nm[0], 0) << "a sensor without noise is left alone";
-  }
-  const double count = samples * static_cast<double>(robot::kJointCount);
-  EXPECT_NEAR(std::sqrt(square / count), 0.01, 3e-4);
-  EXPECT_NEAR(mean / count, 0, 4e-4);
-  EXPECT_NEAR(std::sqrt(inclination / (2 * samples)), 0.02, 1.5e-3);
+/// A simulation with errors on every sensor.
+PlantConfig noisy_config() {
+  PlantConfig config = testing::default_config();
+  config.sensors.joint_position.noise = 0.01;
+  config.sensors.joint_velocity.noise = 0.1;
+  config.sensors.inclination.latency_s = 0.01;
+  config.sensors.acceleration.bias = 0.1;
+  config.sensors.foot_force.dropout = 0.5;
+  return config;
 }
 
-TEST(SensorNoise, DoesNotTouchThePhysics) {
-  PlantConfig noisy = testing::default_config();
-  noisy.noise = {0.01, 0.1, 0.1, 1, 0.01, 0.01, 0.1};
-  TrialSpec trial;
-  Simulation clean(testing::beetle(), testing::default_config(), trial);
-  Simulation disturbed(testing::beetle(), noisy, trial);
-  const robot::JointVector targets = start_targets(noisy.start);
+TEST(Sensors, ErrorsDoNotTouchThePhysics) {
+  Simulation clean(testing::beetle(), testing::default_config(), {});
+  Simulation disturbed(testing::beetle(), noisy_config(), {});
+  const robot::JointVector targets = start_targets(noisy_config().start);
   for (int tick = 0; tick < 5; ++tick) {
     clean.advance(targets, nullptr);
     disturbed.advance(targets, nullptr);
   }
   EXPECT_EQ(clean.truth().trunk.position_m, disturbed.truth().trunk.position_m);
   EXPECT_NE(clean.observe().position_rad, disturbed.observe().position_rad);
+}
+
+TEST(Sensors, ReadTheSameHoweverOftenTheyAreAsked) {
+  Simulation asked_often(testing::beetle(), noisy_config(), {});
+  Simulation asked_once(testing::beetle(), noisy_config(), {});
+  const robot::JointVector targets = start_targets(noisy_config().start);
+  for (int tick = 0; tick < 5; ++tick) {
+    asked_often.advance(targets, [&] {
+      const Observation first = asked_often.observe();
+      EXPECT_EQ(asked_often.observe().position_rad, first.position_rad);
+      EXPECT_EQ(asked_often.observe().foot_force_n, first.foot_force_n);
+    });
+    asked_once.advance(targets, nullptr);
+  }
+  const Observation often = asked_often.observe(), once = asked_once.observe();
+  EXPECT_EQ(often.position_rad, once.position_rad);
+  EXPECT_EQ(often.velocity_rad_s, once.velocity_rad_s);
+  EXPECT_EQ(often.foot_force_n, once.foot_force_n);
+  EXPECT_EQ(often.pitch_rad, once.pitch_rad);
+  EXPECT_EQ(often.acceleration_m_s2, once.acceleration_m_s2);
 }
 
 }  // namespace

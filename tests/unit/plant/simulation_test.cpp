@@ -40,7 +40,7 @@ robot::JointVector targets_at(int tick) {
 /// Every number the simulation tells over some seconds.
 std::vector<double> record(std::uint64_t seed, int ticks) {
   PlantConfig config = default_config();
-  config.noise.position_rad = 0.001;
+  config.sensors.joint_position.noise = 0.001;
   Simulation simulation(beetle(), config, trial(seed));
   std::vector<double> out;
   const auto sample = [&] {
@@ -127,6 +127,19 @@ TEST(Simulation, RefusesPeriodsThatDoNotDivide) {
   EXPECT_THROW(Simulation(beetle(), config, {}), std::invalid_argument);
   config.timing.step_s = 0;
   EXPECT_THROW(Simulation(beetle(), config, {}), std::invalid_argument);
+}
+
+TEST(Simulation, ACommandOneTickLateMovesTheRobotOneTickLater) {
+  PlantConfig late_config = default_config();
+  late_config.commands.latency_s = late_config.timing.control_period_s;
+  Simulation late(beetle(), late_config, trial(1));
+  Simulation prompt(beetle(), default_config(), trial(1));
+  prompt.advance(start_targets(default_config().start), nullptr);
+  for (int tick = 0; tick < 8; ++tick) {
+    late.advance(targets_at(tick), nullptr);
+    if (tick > 0) prompt.advance(targets_at(tick - 1), nullptr);
+    EXPECT_EQ(late.observe().position_rad, prompt.observe().position_rad) << tick;
+  }
 }
 
 TEST(Simulation, StopsWhenTheMotionIsNotFinite) {
