@@ -1,112 +1,107 @@
 """`scarab doctor`: looks for what would keep a stack from running, and says what to do about it."""
 
 import argparse
-import importlib
-import os
-import shutil
-import subprocess
-from typing import Callable, List, Optional, Tuple
+import json
+import sys
+from typing import Callable, Iterator, List, Tuple
 
-from .failure import EXIT_FAILURE, EXIT_OK, Failure
-from .places import Places, shown
-from .preflight import check_configuration
-from .running_stack import running_stacks
-from .stack_file import read_stack
+from .colour import Colour
+from .doctor.domain import domain, ports
+from .doctor.endpoints import endpoints
+from .doctor.environment import environment
+from .doctor.finding import Finding, Level
+from .doctor.installation import configuration, programs
+from .doctor.leftovers import leftovers
+from .doctor.network import network
+from .doctor.packages import figures, packages
+from .doctor.realtime import realtime
+from .doctor.services import care, clock
+from .doctor.sides import sides
+from .doctor.storage import storage
+from .doctor.subject import Subject
+from .failure import EXIT_FAILURE, EXIT_OK
+from .places import Places
 
-_LEAST_FREE_BYTES = 500 * 1000 * 1000
-_TOOLS = ("scarab-experiment", "scarab-status", "scarab-topic", "scarab-log", "scarab-sim")
-_INTERFACE_UP = 0x1
+Check = Callable[[Subject], List[Finding]]
+_CHECKS: Tuple[Tuple[str, Check], ...] = (
+    ("packages", packages),
+    ("programs", programs),
+    ("configuration", configuration),
+    ("figures", figures),
+    ("storage", storage),
+    ("environment", environment),
+    ("leftovers", leftovers),
+    ("network", network),
+    ("domain", domain),
+    ("ports", ports),
+    ("sides", sides),
+    ("endpoints", endpoints),
+    ("clock", clock),
+    ("real time", realtime),
+    ("real time", care),
+)
+_COLUMN = 15
+_PAINT = {Level.OK: "green", Level.NOTE: "yellow", Level.PROBLEM: "red"}
 
-Finding = Optional[str]  # what is wrong and what to do; None: nothing
-Check = Tuple[str, Callable[[], Finding]]
+
+def add_options(parser: argparse.ArgumentParser) -> None:
+    parser.add_argument("--json", action="store_true", help="one JSON document, for programs")
 
 
 def doctor(options: argparse.Namespace, places: Places) -> int:
-    """1 if anything was found."""
-    checks: List[Check] = [
-        ("packages", lambda: _packages(places)),
-        ("programs", lambda: _programs(options, places)),
-        ("configuration", lambda: _configuration(options, places)),
-        ("interface", lambda: _interface(options, places)),
-        ("matplotlib", _matplotlib),
-        ("run directory", lambda: _runs(places)),
-        ("environment", _environment),
-        ("stacks", lambda: _stacks(places)),
-    ]
-    found = 0
-    for name, check in checks:
-        try:
-            finding = check()
-        except Failure as failure:
-            finding = str(failure)
-        found += finding is not None
-        print(f"{name:15}{'ok' if finding is None else 'PROBLEM: ' + finding}")
-    return EXIT_FAILURE if found else EXIT_OK
+    """1 if a problem was found; UsageError for a profile that is not there."""
+    subject = Subject(options, places)
+    found = []
+    for name, finding in _findings(subject):
+        found.append((name, finding))
+        if not options.json:
+            _print(name, finding)
+    problems = sum(f.level is Level.PROBLEM for _, f in found)
+    if options.json:
+        print(json.dumps({"healthy": problems == 0, "findings": [
+            {"check": name, "level": f.level.value, "what": f.what, "advice": f.advice}
+            for name, f in found]}, indent=1))
+    else:
+        print(_sum(problems, sum(f.level is Level.NOTE for _, f in found)))
+    return EXIT_FAILURE if problems else EXIT_OK
 
 
-def _packages(places: Places) -> Finding:
-    listing = subprocess.run(
-        ["bash", "-c", '. "$1" && missing_packages build run', "bash",
-         str(places.root / "deploy" / "setup.sh")],
-        capture_output=True, text=True, check=False)
-    missing = listing.stdout.split()
-    if listing.returncode != 0:
-        return f"the package list cannot be checked: {listing.stderr.strip()}"
-    return f"missing: {' '.join(missing)}; run ./deploy/demo, or apt-get install them" if missing \
-        else None
+def _findings(subject: Subject) -> Iterator[Tuple[str, Finding]]:
+    for name, check in _CHECKS:
+        with _Progress(name):
+            findings = check(subject)
+        for finding in findings:
+            yield name, finding
 
 
-def _programs(options: argparse.Namespace, places: Places) -> Finding:
-    stack = read_stack(places.stack_file, options.profile, places.root)
-    names = [*(s.binary for s in stack.services), *_TOOLS]
-    missing = [name for name in names if not os.access(places.bin / name, os.X_OK)]
-    return f"not built in {shown(places.bin)}: {' '.join(missing)}; run ./deploy/demo" if missing \
-        else None
+def _print(name: str, finding: Finding) -> None:
+    colour = Colour(sys.stdout)
+    level = colour.paint(f"{_shown(finding.level):8}", _PAINT[finding.level])
+    print(f"{level}{name:{_COLUMN}}{finding.what}", flush=True)
+    if finding.advice:
+        print(f"{'':{8 + _COLUMN}}{finding.advice}", flush=True)
 
 
-def _configuration(options: argparse.Namespace, places: Places) -> Finding:
-    check_configuration(places, read_stack(places.stack_file, options.profile, places.root))
-    return None
+def _shown(level: Level) -> str:
+    return level.value.upper() if level is Level.PROBLEM else level.value
 
 
-def _interface(options: argparse.Namespace, places: Places) -> Finding:
-    name = read_stack(places.stack_file, options.profile, places.root).interface
-    try:
-        with open(f"/sys/class/net/{name}/flags") as file:
-            flags = int(file.read(), 16)
-    except OSError:
-        have = " ".join(sorted(os.listdir("/sys/class/net")))
-        return f"there is no network interface '{name}' (there are: {have}); see bus.interface in " \
-               f"{shown(places.stack_file)}"
-    return None if flags & _INTERFACE_UP else f"interface '{name}' is down: ip link set {name} up"
+def _sum(problems: int, notes: int) -> str:
+    beside = f", {notes} note{'s' * (notes != 1)}" if notes else ""
+    return f"{problems or 'no'} problem{'s' * (problems != 1)}{beside}"
 
 
-def _matplotlib() -> Finding:
-    try:
-        importlib.import_module("matplotlib")
-    except ImportError:
-        return "missing, so no figure is drawn: apt-get install python3-matplotlib"
-    return None
+class _Progress:
+    """Says on a terminal what is being looked at; nothing stays of it."""
 
+    def __init__(self, name: str):
+        self._name = name
+        self._terminal = sys.stderr.isatty()
 
-def _runs(places: Places) -> Finding:
-    place = next(p for p in (places.runs, *places.runs.parents) if p.exists())
-    if not os.access(place, os.W_OK):
-        return f"{shown(place)} cannot be written to"
-    free = shutil.disk_usage(place).free
-    if free < _LEAST_FREE_BYTES:
-        return f"only {free // 1000000} MB are free in {shown(place)}: remove old runs"
-    return None
+    def __enter__(self) -> None:
+        if self._terminal:
+            print(f"looking at: {self._name} ...", end="\r", file=sys.stderr, flush=True)
 
-
-def _environment() -> Finding:
-    if "CYCLONEDDS_URI" in os.environ:
-        return "CYCLONEDDS_URI is set: the stack ignores it, your own DDS tools do not; unset it, " \
-               "or see deploy/cyclonedds"
-    return None
-
-
-def _stacks(places: Places) -> Finding:
-    halves = [s for s in running_stacks(places.runs) if not s.ready]
-    return f"the stack on DDS domain {halves[0].bus.domain} is starting or stopping" if halves \
-        else None
+    def __exit__(self, *_: object) -> None:
+        if self._terminal:
+            print("\033[K", end="", file=sys.stderr, flush=True)

@@ -3,18 +3,22 @@
 #include <chrono>
 #include <iostream>
 
+#include "common/bus/discovery.hpp"
+#include "common/bus/participants.hpp"
 #include "common/bus/waitset.hpp"
 #include "common/runtime/peers.hpp"
 #include "common/runtime/program.hpp"
 #include "common/runtime/shutdown.hpp"
+#include "tools/status/report.hpp"
 
 namespace scarab::status {
 namespace {
 
 using Clock = std::chrono::steady_clock;
+using Seconds = std::chrono::duration<double>;
 
 constexpr std::chrono::milliseconds kPoll{20};
-constexpr std::chrono::milliseconds kDiscovery{1000};  // nobody can say that there is nobody
+constexpr Seconds kDiscovery{1.0};  // nobody can say that there is nobody
 
 /// What is not as it should be with the services waited for.
 std::vector<std::string> troubles(const runtime::StatusBoard& board,
@@ -33,35 +37,101 @@ std::vector<std::string> troubles(const runtime::StatusBoard& board,
   return troubles;
 }
 
+/// A participant that looks on.
+class Onlooker {
+ public:
+  explicit Onlooker(const runtime::BusOptions& options)
+      : participant_(options.participant("status", 0)),
+        board_(participant_),
+        discovery_(participant_),
+        participants_(participant_),
+        guard_(participant_),
+        shutdown_(guard_),
+        wait_set_(participant_) {
+    wait_set_.attach(board_.reader());
+    wait_set_.attach(guard_);
+  }
+
+  /// Until `done()`, a request to stop, or the time is over.
+  template <class Done>
+  void look(Seconds limit, Done&& done) {
+    const auto since = Clock::now();
+    while (!asked_to_stop() && Clock::now() - since < limit) {
+      wait_set_.wait(kPoll);
+      board_.update();
+      rates_.observe(board_);
+      if (done()) return;
+    }
+  }
+
+  [[nodiscard]] bool asked_to_stop() const { return shutdown_.requested(); }
+  [[nodiscard]] const runtime::StatusBoard& board() const { return board_; }
+
+  /// What was seen since the last call.
+  Snapshot snapshot() {
+    participants_.update();
+    discovery_.update();
+    Snapshot snapshot;
+    for (const auto& endpoint : discovery_.endpoints()) {
+      if (endpoint.kind == bus::EndpointKind::kWriter && endpoint.topic == bus::kRobotState.name) {
+        snapshot.tick_master = bus::to_string(endpoint.peer);
+      }
+    }
+    for (const auto& [peer, report] : board_.reports()) {
+      snapshot.services.push_back({report, host_of(peer), rates_.of(peer)});
+    }
+    rates_.restart();
+    return snapshot;
+  }
+
+ private:
+  [[nodiscard]] std::string host_of(const bus::Peer& peer) const {
+    for (const auto& [guid, participant] : participants_.all()) {
+      if (participant.peer == peer) return participant.host;
+    }
+    return {};
+  }
+
+  bus::Participant participant_;
+  runtime::StatusBoard board_;
+  bus::Discovery discovery_;
+  bus::Participants participants_;
+  bus::Guard guard_;
+  runtime::Shutdown shutdown_;
+  bus::WaitSet wait_set_;
+  RateMeter rates_;
+};
+
+void print(const Snapshot& snapshot, bool as_json) {
+  std::cout << (as_json ? json(snapshot) : table(snapshot)) << std::flush;
+}
+
 }  // namespace
 
 int show(const StatusOptions& options) {
-  bus::Participant participant(options.bus.participant("status", 0));
-  runtime::StatusBoard board(participant);
-  bus::Guard guard(participant);
-  runtime::Shutdown shutdown(guard);
-  bus::WaitSet wait_set(participant);
-  wait_set.attach(board.reader());
-  wait_set.attach(guard);
-
+  Onlooker onlooker(options.bus);
   const bool waiting = !options.wait_for.empty();
-  const auto limit = waiting ? std::chrono::duration<double>(options.timeout_s)
-                             : std::chrono::duration<double>(kDiscovery);
-  const auto since = Clock::now();
-  while (!shutdown.requested() && Clock::now() - since < limit) {
-    wait_set.wait(kPoll);
-    board.update();
-    if (waiting && troubles(board, options.wait_for).empty()) break;
-  }
-  std::cout << (options.json ? json(board) : table(board));
+  onlooker.look(waiting ? Seconds(options.timeout_s) : kDiscovery,
+                [&] { return waiting && troubles(onlooker.board(), options.wait_for).empty(); });
+  print(onlooker.snapshot(), options.json);
   if (waiting) {
-    const auto left = troubles(board, options.wait_for);
+    const auto left = troubles(onlooker.board(), options.wait_for);
     if (left.empty()) return runtime::kExitSuccess;
     std::cerr << "scarab-status: " << runtime::join(left) << '\n';
     return runtime::kExitFailure;
   }
-  if (board.reports().empty()) std::cerr << "scarab-status: no services found\n";
-  return board.reports().empty() ? runtime::kExitFailure : runtime::kExitSuccess;
+  if (!onlooker.board().reports().empty()) return runtime::kExitSuccess;
+  std::cerr << "scarab-status: no services found\n";
+  return runtime::kExitFailure;
+}
+
+int watch(const StatusOptions& options) {
+  Onlooker onlooker(options.bus);
+  while (!onlooker.asked_to_stop() && std::cout) {
+    onlooker.look(Seconds(options.period_s), [] { return false; });
+    if (!onlooker.asked_to_stop()) print(onlooker.snapshot(), options.json);
+  }
+  return runtime::kExitSuccess;
 }
 
 }  // namespace scarab::status

@@ -1,10 +1,7 @@
 #pragma once
 
-#include <string>
-
 #include "common/runtime/expectation.hpp"
 #include "common/runtime/options.hpp"
-#include "common/runtime/status_board.hpp"
 
 namespace scarab::status {
 
@@ -13,14 +10,15 @@ struct StatusOptions {
   runtime::Expectation wait_for;  ///< empty: whoever answers within a moment
   double timeout_s = 10;
   bool json = false;
+  bool watch = false;  ///< again and again, until SIGINT or SIGTERM
+  double period_s = 1;
 };
 
 /// Prints the services' reports; returns the exit code: 0, or 1 where somebody waited for is
 /// missing or faulty, or where nobody is there at all.
 int show(const StatusOptions& options);
 
-/// The reports as a table for people, or as one JSON array.
-std::string table(const runtime::StatusBoard& board);
-std::string json(const runtime::StatusBoard& board);
+/// Prints them every period until it is asked to stop; returns 0.
+int watch(const StatusOptions& options);
 
 }  // namespace scarab::status

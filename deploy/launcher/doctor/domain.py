@@ -1,0 +1,113 @@
+"""The DDS domain: whose it is already, and whether its ports and participant indices are free."""
+
+import contextlib
+import errno
+import os
+import socket
+from collections import Counter
+from pathlib import Path
+from typing import List, Optional
+
+from ..places import shown
+from .finding import Finding, note, ok, problem
+from .ports import PARTICIPANT_INDICES, multicast_ports, unicast_ports
+from .sockets import Program, owners, udp_sockets, unix_socket_inode
+from .subject import Subject
+
+_TOOLS_BESIDE = 4  # experiment, status and the like, beside the services
+
+
+def domain(subject: Subject) -> List[Finding]:
+    """Who has it."""
+    found = []
+    for bus in subject.buses:
+        own = next((s for s in subject.running if s.bus == bus), None)
+        if own:
+            found.append(ok(f"DDS domain {bus.domain} is that of the running stack "
+                            f"{shown(own.directory.path)}"))
+            continue
+        keeper = _claimant(bus.domain)
+        found.append(_taken(bus.domain, keeper) if keeper else _free(subject, bus.domain))
+    return found
+
+
+def _claimant(number: int) -> Optional[Program]:
+    """The keeper of the stack that has claimed the domain (see domain_claim.py)."""
+    inode = unix_socket_inode(f"scarab-domain-{number}")
+    return None if inode is None else owners([inode])[inode]
+
+
+def _taken(number: int, keeper: Program) -> Finding:
+    return problem(f"DDS domain {number} is in use by another stack: keeper {keeper}"
+                   f"{_whereabouts(keeper)}",
+                   f"Stop that one (deploy/scarab down in its source tree), or choose another "
+                   f"domain: --domain {_next_free(number)}")
+
+
+def _whereabouts(keeper: Program) -> str:
+    """Its log, which is open, lies in the run directory."""
+    try:
+        log = Path(os.readlink(f"/proc/{keeper.pid}/fd/2"))
+    except OSError:
+        return ""
+    return f", run directory {log.parents[1]}" if log.parent.name == "logs" else ""
+
+
+def _next_free(number: int) -> int:
+    return next(n for n in range(number + 1, 232) if unix_socket_inode(f"scarab-domain-{n}") is None)
+
+
+def _free(subject: Subject, number: int) -> Finding:
+    others = [p for p in subject.dds_processes if p.domain == number]
+    if not others:
+        return ok(f"DDS domain {number} is free")
+    names = ", ".join(str(p.program) for p in others)
+    return note(f"no stack is on DDS domain {number}, but other DDS programs are: {names}",
+                "They meet a stack that comes up there; if they should not: --domain "
+                f"{_next_free(number)}")
+
+
+def ports(subject: Subject) -> List[Finding]:
+    """UDP ports of the domain: the shared ones can be shared, enough of the others are left."""
+    return [finding for bus in subject.buses for finding in _ports(subject, bus.domain)]
+
+
+def _ports(subject: Subject, number: int) -> List[Finding]:
+    for port in multicast_ports(number):
+        holder = _unsharing_holder(port)
+        if holder:
+            return [problem(f"UDP port {port} of DDS domain {number} is held by {holder}, which "
+                            "does not share it, so that no participant can be made",
+                            f"Stop that program, or choose another domain: --domain {number + 1}")]
+    taken = [s for s in udp_sockets() if (s.port - unicast_ports(number, 0)[0]) % 2 == 0
+             and (s.port - unicast_ports(number, 0)[0]) // 2 in PARTICIPANT_INDICES]
+    holders = owners(s.inode for s in taken)
+    left = len(PARTICIPANT_INDICES) - len({s.port for s in taken})
+    most = ", ".join(f"{program} has {count}" for program, count
+                     in Counter(holders[s.inode] for s in taken).most_common(3))
+    text = (f"{left or 'none'} of {len(PARTICIPANT_INDICES)} participant indices of DDS domain "
+            f"{number} are left")
+    if left < _needed(subject):
+        return [problem(f"{text}: {most}",
+                        "Stop programs of the domain that are not needed, or choose another one: "
+                        f"--domain {number + 1}")]
+    return [ok(text)]
+
+
+def _needed(subject: Subject) -> int:
+    if subject.running or subject.stack is None:
+        return 1  # for the next tool
+    return len(subject.stack.processes()) + _TOOLS_BESIDE
+
+
+def _unsharing_holder(port: int) -> Optional[Program]:
+    with contextlib.closing(socket.socket(socket.AF_INET, socket.SOCK_DGRAM)) as trying:
+        trying.setsockopt(socket.SOL_SOCKET, socket.SO_REUSEADDR, 1)  # as a participant does
+        try:
+            trying.bind(("", port))
+            return None
+        except OSError as error:
+            if error.errno != errno.EADDRINUSE:
+                return None
+    inodes = [s.inode for s in udp_sockets() if s.port == port]
+    return next(iter(owners(inodes).values()), None)

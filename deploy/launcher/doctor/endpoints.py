@@ -1,0 +1,53 @@
+"""Writers and readers of one topic that do not meet, and the QoS policy because of which."""
+
+from typing import Dict, List
+
+from .finding import Finding, note, ok, problem
+from .subject import Subject
+
+_STRONGER = "Let the writer offer {asked}, or the reader ask for {offered} only."
+_SAME = "Give both the same {policy}: {offered}, or {asked}."
+_ADVICE: Dict[str, str] = {
+    "reliability": _STRONGER,
+    "durability": _STRONGER,
+    "deadline": "Let the writer promise a deadline of {asked} or less, or the reader ask for "
+                "{offered} or more.",
+    "latency budget": _STRONGER,
+    "liveliness": _STRONGER,
+    "destination order": _STRONGER,
+    "presentation": _STRONGER,
+    "ownership": _SAME,
+    "partition": _SAME,
+    "data representation": "Let the reader accept {offered}, or the writer write {asked}.",
+    "type name": "Give both the same type; that of the stack's topics is in idl/README.md.",
+    "type": "One of the two was built from other IDL files: build both from the same ones.",
+}
+
+
+def endpoints(subject: Subject) -> List[Finding]:
+    found = []
+    for bus in subject.buses:
+        seen = subject.seen(bus)
+        if seen.fault:
+            found.append(problem(f"DDS domain {bus.domain} cannot be looked at: {seen.fault}",
+                                 "See the other findings."))
+        found += [_mismatch(m) for m in seen.mismatches]
+    return found or [ok("every writer and reader of a topic that are there fit together")]
+
+
+def _mismatch(mismatch: dict) -> Finding:
+    policy = mismatch["policy"]
+    what = (f"{mismatch['topic']}: {_who(mismatch['writer'])} writes and "
+            f"{_who(mismatch['reader'])} reads it, but their {policy} differs: offered is "
+            f"{mismatch['offered']}, asked for is {mismatch['asked']}")
+    return problem(what, _ADVICE.get(policy, _SAME).format(**mismatch))
+
+
+def _who(endpoint: dict) -> str:
+    """`premotor/0 (scarab-premotor, pid 12 on beetle)`; other vendors tell less."""
+    process = endpoint["process"] or "a program that does not tell its name"
+    if endpoint["pid"]:
+        process += f", pid {endpoint['pid']}"
+    if endpoint["host"]:
+        process += f" on {endpoint['host']}"
+    return f"{endpoint['service']} ({process})" if endpoint["service"] else process

@@ -1,0 +1,97 @@
+"""What is examined: the stack file, the stacks that run, and what is seen of them on the bus."""
+
+import argparse
+import functools
+import socket
+from typing import Dict, List, Optional, Sequence
+
+from ..failure import ConfigError
+from ..places import Places
+from ..stack import Bus, Stack
+from ..stack_file import read_stack
+from .interfaces import LOOPBACK, flags_of, usable_interfaces
+from .ports import DdsProcess, dds_processes
+from .recorded import RecordedStack, recorded_stacks
+from .survey import Seen, survey
+
+_UNTOLD_DOMAIN = 0  # the one that `up` takes
+_MOST_INTERFACES = 8
+
+
+class Subject:
+    """Everything is looked up when a check first asks for it, and then kept."""
+
+    def __init__(self, options: argparse.Namespace, places: Places):
+        """UsageError for a profile that is not there; a broken stack file is a finding."""
+        self.options = options
+        self.places = places
+        self.host = socket.gethostname()
+        self.stack: Optional[Stack] = None
+        self.stack_fault: Optional[ConfigError] = None
+        try:
+            self.stack = read_stack(places.stack_file, options.profile, places.root)
+        except ConfigError as fault:
+            self.stack_fault = fault
+
+    @functools.cached_property
+    def recorded(self) -> List[RecordedStack]:
+        return recorded_stacks(self.places.runs)
+
+    @functools.cached_property
+    def running(self) -> List[RecordedStack]:
+        """Stacks of this source tree, those on --domain where it was given."""
+        return [s for s in self.recorded
+                if s.alive() and self.options.domain in (None, s.bus.domain)]
+
+    @property
+    def buses(self) -> List[Bus]:
+        """Of the running stacks, else where one would come up."""
+        return [s.bus for s in self.running] or [self._planned_bus()]
+
+    @functools.cached_property
+    def dds_processes(self) -> List[DdsProcess]:
+        return dds_processes()
+
+    def seen(self, bus: Bus) -> Seen:
+        """What a participant sees that takes the place `bus`."""
+        return self._surveys.get(bus) or Seen(bus)
+
+    def seen_beside(self, bus: Bus) -> List[Seen]:
+        """The same from this machine's other interfaces."""
+        return [seen for other, seen in self._surveys.items()
+                if (other.domain, other.tag) == (bus.domain, bus.tag) and other != bus]
+
+    def seen_elsewhere(self, domain: int) -> Sequence[dict]:
+        """Participants seen on a domain that is no stack's of ours."""
+        return [p for other, seen in self._surveys.items() if other.domain == domain
+                for p in seen.participants]
+
+    @functools.cached_property
+    def _surveys(self) -> Dict[Bus, Seen]:
+        domains = {p.domain for p in self.dds_processes}
+        wanted: Dict[Bus, None] = {}  # a set that keeps its order
+        for bus in self.buses:
+            if bus.domain in domains or not _is_loopback(bus.interface):
+                wanted[bus] = None
+            for interface in usable_interfaces()[:_MOST_INTERFACES] if domains else ():
+                wanted[_moved(bus, bus.domain, interface)] = None
+        for process in self.dds_processes:
+            if process.domain not in {bus.domain for bus in self.buses}:
+                for interface in sorted(process.interfaces) or [self.buses[0].interface]:
+                    wanted[_moved(self.buses[0], process.domain, interface)] = None
+        return survey(self.places, list(wanted), [s.bus for s in self.running])
+
+    def _planned_bus(self) -> Bus:
+        domain = _UNTOLD_DOMAIN if self.options.domain is None else self.options.domain
+        if self.stack is None:
+            return Bus(domain, "lo", "")
+        return Bus(domain, self.stack.interface, self.stack.tag, self.stack.peers)
+
+
+def _moved(bus: Bus, domain: int, interface: str) -> Bus:
+    same = (bus.domain, bus.interface) == (domain, interface)
+    return bus if same else Bus(domain, interface, bus.tag)
+
+
+def _is_loopback(interface: str) -> bool:
+    return bool((flags_of(interface) or 0) & LOOPBACK)

@@ -1,0 +1,66 @@
+#include <algorithm>
+#include <set>
+#include <sstream>
+#include <utility>
+
+#include "common/bus/compatibility.hpp"
+#include "tools/doctor/survey.hpp"
+
+namespace scarab::doctor {
+namespace {
+
+using bus::DiscoveredEndpoint;
+using bus::EndpointKind;
+using TypeText = std::function<std::string(const DiscoveredEndpoint&)>;
+
+std::vector<std::string> lines_of(const std::string& text) {
+  std::istringstream in(text);
+  std::vector<std::string> lines;
+  for (std::string line; std::getline(in, line);) lines.push_back(line);
+  return lines;
+}
+
+/// The first line of `text` that `other` does not have, without indentation.
+std::string first_difference(const std::string& text, const std::string& other) {
+  const auto others = lines_of(other);
+  const std::set<std::string> known(others.begin(), others.end());
+  for (const std::string& line : lines_of(text)) {
+    const std::size_t start = line.find_first_not_of(' ');
+    if (known.count(line) == 0 && start != std::string::npos) return line.substr(start);
+  }
+  return "nothing of that";
+}
+
+/// Two programs of different versions: the same name, not the same fields.
+void compare_types(const DiscoveredEndpoint& writer, const DiscoveredEndpoint& reader,
+                   const TypeText& type_text, std::vector<Fault>& out) {
+  if (writer.type != reader.type) {
+    out.push_back({writer, reader, "type name", writer.type, reader.type});
+    return;
+  }
+  const std::string written = type_text(writer);
+  const std::string read = type_text(reader);
+  if (written.empty() || read.empty() || written == read) return;
+  out.push_back(
+      {writer, reader, "type", first_difference(written, read), first_difference(read, written)});
+}
+
+}  // namespace
+
+std::vector<Fault> faults(const Survey& survey, const TypeText& type_text) {
+  std::vector<Fault> out;
+  for (const DiscoveredEndpoint& writer : survey.endpoints) {
+    if (writer.kind != EndpointKind::kWriter) continue;
+    for (const DiscoveredEndpoint& reader : survey.endpoints) {
+      if (reader.kind != EndpointKind::kReader || reader.topic != writer.topic) continue;
+      compare_types(writer, reader, type_text, out);
+      for (bus::Mismatch& found : bus::mismatches(*writer.qos, *reader.qos)) {
+        out.push_back({writer, reader, std::move(found.policy), std::move(found.offered),
+                       std::move(found.asked)});
+      }
+    }
+  }
+  return out;
+}
+
+}  // namespace scarab::doctor

@@ -1,0 +1,84 @@
+#include "tools/doctor/survey.hpp"
+
+#include <algorithm>
+#include <iostream>
+
+#include "common/bus/idl_text.hpp"
+#include "common/bus/waitset.hpp"
+#include "common/runtime/program.hpp"
+#include "common/runtime/shutdown.hpp"
+
+namespace scarab::doctor {
+namespace {
+
+using Clock = std::chrono::steady_clock;
+
+// Participants on one machine know each other within some 10 ms; of a stack of 30, within 1 s.
+constexpr std::chrono::milliseconds kQuiet{300};
+constexpr std::chrono::milliseconds kTypePatience{500};
+
+/// All but those of the participant that looks.
+Survey seen_by(const bus::Participants& participants, const bus::Discovery& discovery) {
+  Survey survey{participants.all(), {}};
+  survey.participants.erase(participants.self());
+  for (auto& endpoint : discovery.endpoints()) {
+    if (endpoint.participant != participants.self())
+      survey.endpoints.push_back(std::move(endpoint));
+  }
+  return survey;
+}
+
+/// The type as IDL, each asked for once.
+class TypeTexts {
+ public:
+  explicit TypeTexts(bus::Discovery& discovery) : discovery_(discovery) {}
+
+  std::string operator()(const bus::DiscoveredEndpoint& endpoint) {
+    const auto [entry, fresh] = texts_.try_emplace(endpoint.guid);
+    if (fresh) {
+      try {
+        const bus::TopicType type = discovery_.type_of(endpoint, kTypePatience);
+        entry->second = bus::idl_text(bus::TypeModel::from_descriptor(*type));
+      } catch (const bus::Error&) {
+        // It does not tell its type; its name is all there is to compare.
+      }
+    }
+    return entry->second;
+  }
+
+ private:
+  bus::Discovery& discovery_;
+  std::map<bus::Guid, std::string> texts_;
+};
+
+}  // namespace
+
+int look(const runtime::BusOptions& options, std::chrono::milliseconds limit) {
+  bus::Participant participant(options.participant("doctor", 0));
+  bus::Discovery discovery(participant);
+  bus::Participants participants(participant);
+  bus::Guard guard(participant);
+  runtime::Shutdown shutdown(guard);
+  bus::WaitSet wait_set(participant);
+  wait_set.attach(guard);
+  wait_set.attach(discovery);
+
+  const auto end = Clock::now() + limit;
+  Survey survey;
+  while (!shutdown.requested() && Clock::now() < end) {
+    // While there is nobody at all, somebody may still be about to answer.
+    const Clock::duration left = end - Clock::now();
+    const bool news =
+        wait_set.wait(survey.participants.empty() ? left : std::min<Clock::duration>(left, kQuiet));
+    discovery.update();
+    participants.update();
+    survey = seen_by(participants, discovery);
+    if (!news) break;
+  }
+  if (shutdown.requested()) return runtime::kExitInterrupted;
+  TypeTexts types(discovery);
+  std::cout << json(survey, faults(survey, [&](const auto& endpoint) { return types(endpoint); }));
+  return runtime::kExitSuccess;
+}
+
+}  // namespace scarab::doctor
