@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <iterator>
 #include <limits>
+#include <stdexcept>
 
 #include "common/bus/sample_fields.hpp"
 #include "common/robot/joints.hpp"
@@ -56,6 +57,20 @@ std::optional<OperatorWord::Command> to_command(scarab_OperatorCommand command) 
   return std::nullopt;
 }
 
+scarab_OperatorCommand to_idl(OperatorWord::Command command) {
+  switch (command) {
+    case OperatorWord::Command::kAutomatic:
+      return scarab_OPERATOR_AUTOMATIC;
+    case OperatorWord::Command::kStrategy:
+      return scarab_OPERATOR_STRATEGY;
+    case OperatorWord::Command::kMode:
+      return scarab_OPERATOR_MODE;
+    case OperatorWord::Command::kInputs:
+      return scarab_OPERATOR_INPUTS;
+  }
+  throw std::invalid_argument("no such command");
+}
+
 double front_f(const scarab_RobotState& state, robot::Leg leg) {
   const auto slot = robot::joint_slot(leg, robot::LegJoint::kFemurTibia);
   return reading(state.position_rad[slot], state.position_source[slot]);
@@ -82,6 +97,14 @@ std::optional<OperatorWord> to_word(const scarab_Operator& said) {
   word.strategy = bus::text(said.strategy);
   word.reason = bus::text(said.reason);
   return word;
+}
+
+void fill(scarab_Operator& said, const OperatorWord& word) {
+  said.command = to_idl(word.command);
+  said.mode = static_cast<scarab_Mode>(word.mode);
+  std::copy(word.inputs.begin(), word.inputs.end(), std::begin(said.inputs));
+  bus::assign(said.strategy, word.strategy);
+  bus::assign_truncated(said.reason, word.reason);
 }
 
 void fill(scarab_Behaviour& behaviour, const Decision& decision) {

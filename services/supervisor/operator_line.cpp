@@ -51,7 +51,7 @@ void OperatorLine::report(runtime::StatusPublisher& status) {
   }
   if (!changed_) return;
   changed_ = false;
-  status.set_counter("operator_stamp_ns", static_cast<std::uint64_t>(acknowledged_ns_));
+  status.set_counter(runtime::kOperatorStamp, static_cast<std::uint64_t>(acknowledged_ns_));
   status.set_health(refused_.empty() ? scarab_HEALTH_OK : scarab_HEALTH_DEGRADED, message_);
 }
 

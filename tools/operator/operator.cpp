@@ -1,61 +1,96 @@
 #include "tools/operator/operator.hpp"
 
-#include <chrono>
+#include <algorithm>
 #include <iostream>
-#include <map>
 
-#include "common/bus/clock.hpp"
-#include "common/bus/sample_fields.hpp"
-#include "common/bus/topics.hpp"
-#include "common/bus/waitset.hpp"
-#include "common/bus/writer.hpp"
+#include "common/runtime/operator_desk.hpp"
 #include "common/runtime/program.hpp"
-#include "common/runtime/shutdown.hpp"
+#include "tools/operator/exchange.hpp"
+#include "tools/operator/sentence.hpp"
 
 namespace scarab::operator_desk {
 namespace {
 
-const std::map<std::string, scarab_OperatorCommand> kCommands = {
-    {"start", scarab_OPERATOR_START},
-    {"pause", scarab_OPERATOR_PAUSE},
-    {"step", scarab_OPERATOR_STEP},
-    {"stop", scarab_OPERATOR_STOP},
-    {"emergency-stop", scarab_OPERATOR_EMERGENCY_STOP},
-    {"reset", scarab_OPERATOR_RESET}};
-constexpr std::chrono::seconds kPatience{5};
-constexpr std::chrono::milliseconds kPoll{5};
+using namespace std::chrono_literals;
+using Report = runtime::ServiceReport;
+
+constexpr std::chrono::milliseconds kListenerLimit = 3s;
+constexpr std::chrono::milliseconds kAnswerLimit = 3s;
+constexpr std::chrono::milliseconds kStepLimit = 300ms;  // for each step more, in real time
+
+int fail(const std::string& what) {
+  std::cerr << "scarab-operator: " << what << '\n';
+  return runtime::kExitFailure;
+}
+
+std::string where(const runtime::BusOptions& options) {
+  return "domain " + std::to_string(options.domain) +
+         (options.tag.empty() ? "" : " with tag " + options.tag);
+}
+
+/// The supervisor takes words with the next tick, and a paused trial has none.
+bool waits_for_a_tick(const Exchange& exchange) {
+  const auto master = exchange.tick_master();
+  const Report* report = master ? exchange.report(*master) : nullptr;
+  return report && is_paused(*report);
+}
+
+int report_silence(const Exchange& exchange, const bus::Peer& listener, const Order& order) {
+  const auto master = exchange.tick_master();
+  const Report* tick_master = master ? exchange.report(*master) : nullptr;
+  const bool for_supervisor = !runtime::is_for_tick_master(order.command);
+  if (for_supervisor && waits_for_a_tick(exchange)) {
+    std::cout << bus::to_string(listener) << ": '" << order.name
+              << "' counts from the next tick (start or step); " << sentence(*tick_master) << '\n';
+    return runtime::kExitSuccess;
+  }
+  const std::string stands = tick_master ? "; " + sentence(*tick_master) : "";
+  return fail(bus::to_string(listener) + " has not acknowledged '" + order.name + "' within " +
+              std::to_string(kAnswerLimit / 1s) + " s" + stands);
+}
+
+/// An emergency stop is said before anybody is found: it is handed to the tick master the moment
+/// the two have met. All else is said to somebody known to listen, as of the running trial.
+int exchange_order(Exchange& exchange, const runtime::BusOptions& bus_options, const Order& order) {
+  const bool at_once = order.command == scarab_OPERATOR_EMERGENCY_STOP;
+  const bool for_master = runtime::is_for_tick_master(order.command);
+  if (at_once) exchange.say(order, 0);
+  const auto listener = exchange.find_listener(for_master, kListenerLimit);
+  if (!listener) {
+    return fail(
+        std::string(for_master ? "no tick master (plant or robot bridge)" : "no supervisor") +
+        ": nobody listens on scarab/operator on " + where(bus_options) + " (is the stack up?)");
+  }
+  const auto before = at_once ? std::nullopt : exchange.await_report(*listener, kListenerLimit);
+  if (!at_once) {
+    const auto trial = before ? std::max(before->header.trial, before->ready_trial) : 0;
+    exchange.say(order, for_master ? 0 : trial);
+  }
+  const auto since = std::chrono::steady_clock::now();
+  const auto answer = exchange.await_answer(
+      [&](const Report& now) { return shows_effect(order, before.value_or(now), now); },
+      [&] {
+        const bool patient = std::chrono::steady_clock::now() - since < kStepLimit;
+        return !for_master && !patient && waits_for_a_tick(exchange);
+      },
+      kAnswerLimit + (order.times - 1) * kStepLimit);
+  if (!answer) return report_silence(exchange, *listener, order);
+  if (!for_master && answer->health != scarab_HEALTH_OK) return fail(sentence(*answer));
+  std::cout << sentence(*answer) << '\n';
+  return runtime::kExitSuccess;
+}
 
 }  // namespace
 
-std::vector<std::string> command_names() {
-  std::vector<std::string> names;
-  for (const auto& [name, command] : kCommands) names.push_back(name);
-  return names;
-}
-
-int tell(const runtime::BusOptions& bus_options, const std::string& command,
-         const std::string& reason) {
-  bus::Participant participant(bus_options.participant("operator", 0));
-  bus::Writer<scarab_Operator> writer(participant, bus::kOperator);
-  bus::Guard guard(participant);
-  runtime::Shutdown shutdown(guard);
-  bus::WaitSet wait_set(participant);
-  wait_set.attach(guard);
-  const auto since = std::chrono::steady_clock::now();
-  while (writer.matched().empty() && !shutdown.requested()) {
-    if (std::chrono::steady_clock::now() - since > kPatience) {
-      std::cerr << "scarab-operator: nobody listens on scarab/operator (is the stack up, on this "
-                   "domain and tag?)\n";
-      return runtime::kExitFailure;
-    }
-    wait_set.wait(kPoll);
+int give(const runtime::BusOptions& bus_options, const Order& order) {
+  try {
+    Exchange exchange(bus_options);
+    return exchange_order(exchange, bus_options, order);
+  } catch (const Interrupted&) {
+    std::cerr << "scarab-operator: interrupted: '" << order.name
+              << "' may or may not have been carried out\n";
+    return runtime::kExitInterrupted;
   }
-  scarab_Operator said{};
-  said.header.stamp_ns = bus::now_ns();
-  said.command = kCommands.at(command);
-  bus::assign_truncated(said.reason, reason);
-  writer.write(said);
-  return runtime::kExitSuccess;
 }
 
 }  // namespace scarab::operator_desk

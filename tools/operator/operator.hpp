@@ -1,18 +1,13 @@
 #pragma once
 
-#include <string>
-#include <vector>
-
 #include "common/runtime/options.hpp"
+#include "tools/operator/order.hpp"
 
 namespace scarab::operator_desk {
 
-/// What a person can say: start, pause, step, stop, emergency-stop, reset.
-std::vector<std::string> command_names();
-
-/// Says it on scarab/operator once the tick master listens; returns the exit code, 1 if nobody
-/// listens.
-int tell(const runtime::BusOptions& bus_options, const std::string& command,
-         const std::string& reason);
+/// Gives the order on scarab/operator, waits until who is to carry it out acknowledges it, and
+/// prints what holds then. Returns the exit code: kExitFailure, with a sentence, if nobody listens,
+/// nobody acknowledges, or the order is refused.
+int give(const runtime::BusOptions& bus_options, const Order& order);
 
 }  // namespace scarab::operator_desk
