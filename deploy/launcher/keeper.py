@@ -6,6 +6,7 @@ import tempfile
 import time
 from typing import Callable, Dict, List, Optional, Sequence
 
+from .back_off import LOOP_AFTER
 from .failure import Failure, Interrupted
 from .restart_rule import must_wait, restart_allowed
 from .run_directory import RunDirectory
@@ -91,28 +92,34 @@ class Keeper:
         while not self._signals.stop_requested:
             for child in self._children:
                 self._look_after(child)
-            self._signals.wait(self._time_to_next_restart())
+            self._signals.wait(self._time_to_next_change())
 
     def _look_after(self, child: ServiceChild) -> None:
         code = child.take_end()
         if code is not None:
-            rule = child.process.service.restart
-            if not restart_allowed(rule, code):
-                self._report({"event": "lost", "service": child.name, "text": how_it_ended(code)})
-            else:
-                wait_s = child.plan_restart()
-                self._report({"event": "crashed", "service": child.name,
-                              "text": how_it_ended(code), "restart": child.back_off.restarts,
-                              "wait_s": wait_s})
+            self._note_end(child, code)
         if child.restart_due is not None and self._may_restart_now(child):
             self._restart(child)
+
+    def _note_end(self, child: ServiceChild, code: int) -> None:
+        rule, how = child.process.service.restart, how_it_ended(code)
+        if not restart_allowed(rule, code):
+            self._report({"event": "lost", "service": child.name, "text": how})
+            return
+        wait_s = child.plan_restart(how)
+        self._report({"event": "crashed", "service": child.name, "text": how,
+                      "restart": child.back_off.restarts, "wait_s": wait_s,
+                      "waits": must_wait(rule, self._directory.trial_lock)})
+        if child.back_off.in_a_row == LOOP_AFTER:
+            self._report({"event": "looping", "service": child.name, "crashes": LOOP_AFTER})
 
     def _restart(self, child: ServiceChild) -> None:
         try:
             child.start(self._command_of(child.process))
-        except OSError as error:  # such as a program that is being rebuilt at this moment
-            child.plan_restart()
-            self._report({"event": "unstartable", "service": child.name, "text": error.strerror})
+        except (OSError, Failure) as error:  # such as a program that is being rebuilt at this moment
+            reason = error.strerror if isinstance(error, OSError) else str(error)
+            child.plan_restart(f"cannot be started: {reason}")
+            self._report({"event": "unstartable", "service": child.name, "text": reason})
             return
         self._report({"event": "restarted", "service": child.name})
 
@@ -120,12 +127,16 @@ class Keeper:
         return (time.monotonic() >= child.restart_due
                 and not must_wait(child.process.service.restart, self._directory.trial_lock))
 
-    def _time_to_next_restart(self) -> Optional[float]:
-        due = [c.restart_due for c in self._children if c.restart_due is not None]
-        if not due:
-            return None
-        left_s = min(due) - time.monotonic()
-        return left_s if left_s > 0 else _LOCK_POLL_S  # overdue: it waits for the end of a trial
+    def _time_to_next_change(self) -> Optional[float]:
+        """Until the next restart, or until the next crashes are forgotten; None: no time is known."""
+        times = []
+        for child in self._children:
+            if child.restart_due is not None:
+                left_s = child.restart_due - time.monotonic()
+                times.append(left_s if left_s > 0 else _LOCK_POLL_S)  # it waits for a trial's end
+            else:
+                times.append(child.forgets_crashes_in())
+        return min((t for t in times if t is not None), default=None)
 
     def _stop_all(self) -> None:
         for child in reversed(self._children):

@@ -7,14 +7,15 @@ import sys
 import time
 import traceback
 from pathlib import Path
-from typing import Callable, Dict, Iterator, List, Optional
+from typing import Callable, Iterator, List, Optional
 
 from .failure import Failure
+from .keeper_events import Event
 from .process_identity import ProcessIdentity
-from .signals import Signals
+from .run_directory import RunDirectory
+from .signals import STOP_SIGNALS, Signals
 from .spawn import die_with_parent
 
-Event = Dict[str, object]
 Report = Callable[[Event], None]
 
 
@@ -73,19 +74,23 @@ class KeeperLine:
         return (json.loads(line) for line in lines)
 
 
-def fork_keeper(body: Callable[[Report, Signals], int], log_file: Path, attached: bool,
+def fork_keeper(body: Callable[[Report, Signals], int], directory: RunDirectory, attached: bool,
                 patience_s: float) -> KeeperLine:
-    """Runs `body` in a forked process whose output goes to `log_file`.
+    """Runs `body` in a forked process whose output goes to the launcher's log, and its events to a
+    file beside it.
 
     An attached keeper stops its stack when the launcher dies; a detached one stays.
     """
     read_end, write_end = os.pipe2(os.O_CLOEXEC)
     parent = os.getpid()
+    # A request to stop that comes before the keeper listens waits for it, and is not the copy's of ours.
+    unblocked = signal.pthread_sigmask(signal.SIG_BLOCK, STOP_SIGNALS)
     try:
         pid = os.fork()
     except OSError as error:
         raise Failure(f"cannot start the keeper process: {error.strerror}") from None
     if pid:
+        signal.pthread_sigmask(signal.SIG_SETMASK, unblocked)
         os.close(write_end)
         return KeeperLine(pid, read_end, patience_s)
     code = 1
@@ -93,10 +98,11 @@ def fork_keeper(body: Callable[[Report, Signals], int], log_file: Path, attached
         os.close(read_end)
         os.setsid()
         signals = Signals()
+        signal.pthread_sigmask(signal.SIG_SETMASK, unblocked)
         if attached:
             die_with_parent(parent)
-        _redirect_output(log_file)
-        code = body(_reporter(write_end), signals)
+        _redirect_output(directory.log_of("launcher"))
+        code = body(_reporter(write_end, directory.events), signals)
     except BaseException:  # the last place that can say anything
         traceback.print_exc()
     finally:
@@ -112,14 +118,17 @@ def _redirect_output(log_file: Path) -> None:
     os.dup2(log, 2)
 
 
-def _reporter(write_end: int) -> Report:
+def _reporter(write_end: int, events: Path) -> Report:
     def report(event: Event) -> None:
         now = time.strftime("%Y-%m-%d %H:%M:%S")
         rest = " ".join(f"{key}={value}" for key, value in event.items() if key != "event")
         print(f"[{now}] {event['event']} {rest}", file=sys.stderr, flush=True)
+        line = json.dumps(event).encode() + b"\n"
+        with open(events, "ab", buffering=0) as file:
+            file.write(line)
         try:
-            os.write(write_end, json.dumps(event).encode() + b"\n")
+            os.write(write_end, line)
         except OSError:
-            pass  # nobody listens any more, as after `up`; the log has it
+            pass  # nobody listens any more, as after `up`; the files have it
 
     return report

@@ -18,37 +18,30 @@ _PATIENCE_S = 30.0
 def check_configuration(places: Places, stack: Stack) -> None:
     """Lets each service validate its own files. UsageError with its one line at the first that refuses."""
     for service in stack.services:
-        _ask(places, service, "--check")
+        ask(places, service, "--check")
 
 
 def resolved_configuration(places: Places, stack: Stack) -> Dict[str, str]:
     """File name -> text of what each service will run with, defaults and all."""
-    texts = {f"{s.name}.yaml": _ask(places, s, "--dump-config") for s in stack.services}
+    texts = {f"{s.name}.yaml": ask(places, s, "--dump-config") for s in stack.services}
     return {name: text for name, text in texts.items() if text.strip()}
 
 
-def write_configuration(directory: RunDirectory, stack: Stack, texts: Dict[str, str],
-                        version: str) -> None:
+def write_configuration(directory: RunDirectory, stack: Stack, texts: Dict[str, str]) -> None:
     """Fills `config/` of the run directory, which the logger attaches to its log."""
+    directory.config.mkdir(exist_ok=True)
     for name, text in texts.items():
         (directory.config / name).write_text(text)
     shutil.copyfile(stack.file, directory.config / "stack.yaml")
     for robot in {s.robot for s in stack.services if s.robot}:
         shutil.copyfile(robot, directory.config / f"robot-{robot.name}")
-    (directory.config / "version.txt").write_text(version + "\n")
 
 
-def source_version(root: Path) -> str:
-    """`git describe` of the source tree, or "unknown" outside of a clone."""
-    try:
-        done = subprocess.run(["git", "-C", str(root), "describe", "--always", "--dirty", "--tags"],
-                              capture_output=True, text=True, timeout=_PATIENCE_S, check=False)
-    except (OSError, subprocess.TimeoutExpired):
-        return "unknown"
-    return done.stdout.strip() or "unknown"
+def ask(places: Places, service: Service, question: str) -> str:
+    """The answer of a service's program to --check or --dump-config, with the files it would run with.
 
-
-def _ask(places: Places, service: Service, question: str) -> str:
+    UsageError with its one line where it refuses them, Failure where it does not answer.
+    """
     command = [str(places.program(service.binary)),
                *configuration_arguments(ServiceProcess(service, 0)), question]
     try:

@@ -77,11 +77,16 @@ def _boot_id() -> str:
     return Path("/proc/sys/kernel/random/boot_id").read_text().strip()
 
 
-def write_json(file: Path, value: dict) -> None:
+def write_text(file: Path, text: str) -> None:
     """Replaces the file in one step: a reader sees the old or the new text, never half of one."""
     temporary = file.with_name(file.name + ".new")
-    temporary.write_text(json.dumps(value, indent=1) + "\n")
+    temporary.write_text(text + "\n")
     os.replace(temporary, file)
+
+
+def write_json(file: Path, value: dict) -> None:
+    """As write_text."""
+    write_text(file, json.dumps(value, indent=1))
 
 
 def read_json(file: Path) -> Optional[dict]:

@@ -45,6 +45,11 @@ class RunDirectory:
     def trial_lock(self) -> Path:
         return self.pids / "trial.lock"
 
+    @property
+    def events(self) -> Path:
+        """What the keeper has done, a line of JSON each."""
+        return self.logs / "events.jsonl"
+
     def log_of(self, process: str) -> Path:
         return self.logs / f"{process}.log"
 

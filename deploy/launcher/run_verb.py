@@ -7,44 +7,77 @@ from pathlib import Path
 from typing import Iterator, List, Optional
 
 from .domain_claim import claim_domain
-from .failure import Failure, Interrupted
+from .failure import Failure, Interrupted, UsageError
 from .figure import draw_figure, first_trial
 from .foreground import run_in_front
-from .keeper_process import Event, KeeperLine
-from .launch import event_line, launch
+from .keeper_events import Event, EventTail, KeeperEvents, event_line
+from .keeper_process import KeeperLine
+from .launch import launch
 from .places import Places, shown
+from .process_identity import write_text
 from .run_directory import RunDirectory, create_run_directory
+from .run_record import record_trials, source_version
 from .running_stack import Kind, RunningStack, running_stacks
 from .signals import Signals
-from .stack import Bus
+from .stack import Bus, Pace
 from .stack_file import read_stack
+from .stack_options import DEFAULT_PROFILE, add_pace_options, add_stack_options, changes_of
+from .strategies import check_strategy, strategies_of, strategies_of_running
 from .trial_lock import TrialLock
-from .trial_options import check_trial, trial_arguments
+from .trial_options import add_trial_options, check_trial, trial_arguments
+from .verbs import Verbs
+
+_MORE = """It uses the stack that is up, at that stack's pace, and leaves it up; without one it starts a stack
+for this run and stops it afterwards. The log, the results and a figure are left in runs/latest."""
+_EXAMPLES = """deploy/scarab run --height 0.08 --strategy boxing+hard --seed 3
+deploy/scarab run --trials 10 --replicas premotor=2
+deploy/scarab run --realtime --config plant=my-plant.yaml"""
+
+
+def add_verb(verbs: Verbs) -> None:
+    parser = verbs.add("run", run, "run trials on the stack that is up, or on one for this run only",
+                       _EXAMPLES, _MORE)
+    add_stack_options(parser)
+    parser.set_defaults(profile=None)  # known whether it was given: a stack that is up has its own
+    add_pace_options(parser, Pace.LOCKSTEP)
+    parser.add_argument("--keep", action="store_true", help="leave the stack running afterwards")
+    add_trial_options(parser)
 
 
 def run(options: argparse.Namespace, places: Places) -> int:
     """Exit code of the experiment: 0 if all trials succeeded."""
     signals = Signals()
-    stack = read_stack(places.stack_file, options.profile, places.root)
-    check_trial(options, stack)
+    check_trial(options)
     places.program("scarab-experiment")
     running = _lasting_stack(places.runs, options.domain)
     if running is not None:
         return _run_on(running, options, places, signals)
-    claim = claim_domain(options.domain)
+    return _run_on_its_own(options, places, signals)
+
+
+def _run_on_its_own(options: argparse.Namespace, places: Places, signals: Signals) -> int:
+    """On a stack that is started for this run."""
+    stack = read_stack(places.stack_file, options.profile or DEFAULT_PROFILE, places.root,
+                       changes_of(options))
+    if options.strategy is not None:
+        check_strategy(options.strategy, strategies_of(stack, places))
+    # The other host of a divided stack has to know the domain beforehand.
+    wanted = 0 if options.domain is None and stack.elsewhere else options.domain
     kind = Kind.LASTING if options.keep else Kind.RUN
-    tag = stack.tag if options.tag is None else options.tag
-    launched = launch(places, stack, claim, tag, kind, signals)
+    launched = launch(places, stack, claim_domain(wanted), options.pace or Pace.LOCKSTEP, kind,
+                      signals)
+    bus, directory = launched.run.bus, launched.run.directory
+    master = stack.tick_master()
     try:
         with _stopped_in_the_end(launched.keeper, signals, options.keep), \
-                _only_trials_of(launched.directory):
-            code = _experiment(options, places, launched.bus, stack.expected(),
-                               launched.directory, signals, launched.keeper)
+                _only_trials_of(directory):
+            code = _experiment(options, places, bus, stack.expected(), directory, signals,
+                               launched.keeper, master.name if master else "")
         if not options.keep:
-            _mend_log(places, launched.directory, signals)
-        _figure(places, launched.directory, launched.directory, signals)
+            _mend_log(places, directory, signals)
+        _figure(places, directory, directory, signals)
     finally:
-        _say_where(launched.directory, launched.directory)
+        _say_where(directory, directory)
     if options.keep:
         print("the stack is still running: stop it with `deploy/scarab down`")
     return code
@@ -53,18 +86,38 @@ def run(options: argparse.Namespace, places: Places) -> int:
 def _run_on(running: RunningStack, options: argparse.Namespace, places: Places,
             signals: Signals) -> int:
     """On a stack that `up` started: it goes on running afterwards."""
+    _check_fits(options, running)
+    check_strategy(options.strategy, strategies_of_running(running))
     with _only_trials_of(running.directory):
         directory = create_run_directory(places.runs)
         (directory.path / "stack").symlink_to(Path("..") / running.directory.path.name)
-        print(f"using the running stack of {shown(running.directory.path)} "
-              f"(DDS domain {running.bus.domain})")
+        record_trials(directory, running.directory, source_version(places.root))
+        print(f"using the stack of {shown(running.directory.path)} that is up "
+              f"(DDS domain {running.bus.domain}, {running.pace.words})")
         try:
             code = _experiment(options, places, running.bus, running.expected, directory, signals,
-                               None)
+                               EventTail(running), running.tick_master)
             _figure(places, directory, running.directory, signals)
         finally:
             _say_where(directory, running.directory)
         return code
+
+
+def _check_fits(options: argparse.Namespace, running: RunningStack) -> None:
+    """UsageError for options that want the stack which is up to be another one."""
+    if options.pace not in (None, running.pace):
+        raise UsageError(f"--{options.pace.value}: the stack that is up goes {running.pace.words}. "
+                         f"Leave the option out, or start it anew: deploy/scarab down && "
+                         f"deploy/scarab up --{options.pace.value}")
+    other = {"--profile": options.profile, "--replicas": options.replicas,
+             "--robot": options.robot, "--config": options.config,
+             "--tag": options.tag not in (None, running.bus.tag),
+             "--interface": options.interface not in (None, running.bus.interface)}
+    for option, given in other.items():
+        if given:
+            raise UsageError(f"{option}: there is a stack up on DDS domain {running.bus.domain}, "
+                             "which stays as it is. Leave the option out, stop the stack "
+                             "(deploy/scarab down), or start another one with --domain N")
 
 
 def _lasting_stack(runs: Path, domain: Optional[int]) -> Optional[RunningStack]:
@@ -92,17 +145,25 @@ def _only_trials_of(stack_directory: RunDirectory) -> Iterator[None]:
 
 
 def _experiment(options: argparse.Namespace, places: Places, bus: Bus, expected: str,
-                directory: RunDirectory, signals: Signals,
-                keeper: Optional[KeeperLine]) -> int:
+                directory: RunDirectory, signals: Signals, keeper: KeeperEvents,
+                tick_master: str) -> int:
+    fault_file = directory.path / ".fault"
     command = [str(places.program("scarab-experiment")), *bus.arguments(), "--expect", expected,
-               *trial_arguments(options), "--results", str(directory.results)]
+               *trial_arguments(options), "--results", str(directory.results),
+               "--fault-file", str(fault_file)]
 
     def watch() -> bool:
-        _tell(keeper.events(signals))
+        for event in keeper.events(signals):
+            _tell([event])
+            if event.get("service") == tick_master and event["event"] in ("crashed", "lost"):
+                write_text(fault_file, f"{tick_master} {event['text']}")  # nothing can save the trial
         return not keeper.ended
 
-    code = run_in_front(command, signals, watch=watch if keeper else None)
-    if keeper is not None and keeper.ended:
+    try:
+        code = run_in_front(command, signals, watch=watch)
+    finally:
+        fault_file.unlink(missing_ok=True)
+    if keeper.ended:
         raise Failure(f"the keeper of the stack ended in the middle of the run; see "
                       f"{shown(directory.log_of('launcher'))}")
     if code < 0:

@@ -9,7 +9,7 @@ from typing import List, Optional
 from .failure import Failure
 from .process_identity import ProcessIdentity, read_json, write_json
 from .run_directory import RunDirectory
-from .stack import Bus
+from .stack import Bus, Pace
 
 _LEFTOVER_PATIENCE_S = 5.0
 
@@ -29,16 +29,20 @@ class RunningStack:
     keeper: ProcessIdentity
     bus: Bus
     directory: RunDirectory
-    expected: str
+    expected: str  # everybody who belongs to it
     ready: bool
+    here: str  # those whom this keeper started; the others are on another host
+    pace: Pace
+    tick_master: str = ""  # the service, where it is one of those
 
     def write(self, runs: Path) -> None:
         file = _file(runs, self.bus.domain)
         file.parent.mkdir(parents=True, exist_ok=True)
         write_json(file, {
             "kind": self.kind.value, "keeper": self.keeper.to_json(), "domain": self.bus.domain,
-            "interface": self.bus.interface, "tag": self.bus.tag,
-            "directory": str(self.directory.path), "expected": self.expected, "ready": self.ready})
+            "interface": self.bus.interface, "tag": self.bus.tag, "peers": list(self.bus.peers),
+            "directory": str(self.directory.path), "expected": self.expected, "here": self.here,
+            "pace": self.pace.value, "tick_master": self.tick_master, "ready": self.ready})
 
 
 def forget_stack(runs: Path, domain: int) -> None:
@@ -99,7 +103,8 @@ def _read(file: Path) -> Optional[RunningStack]:
     try:
         return RunningStack(
             Kind(value["kind"]), ProcessIdentity.from_json(value["keeper"]),
-            Bus(value["domain"], value["interface"], value["tag"]),
-            RunDirectory(Path(value["directory"])), value["expected"], value["ready"])
+            Bus(value["domain"], value["interface"], value["tag"], tuple(value["peers"])),
+            RunDirectory(Path(value["directory"])), value["expected"], value["ready"],
+            value["here"], Pace(value["pace"]), value["tick_master"])
     except (KeyError, ValueError, TypeError):
         return None

@@ -1,11 +1,13 @@
 """One process of the stack as its keeper sees it."""
 
+import signal
 import subprocess
 import time
 from pathlib import Path
 from typing import List, Optional, Sequence
 
 from .back_off import BackOff
+from .crash_record import CrashRecord
 from .process_identity import ProcessIdentity, write_json
 from .run_directory import RunDirectory
 from .spawn import spawn
@@ -20,6 +22,7 @@ class ServiceChild:
         self.name = process.name
         self.restart_due: Optional[float] = None  # time.monotonic() of a planned restart
         self.back_off = BackOff(times)
+        self._directory = directory
         self._log_file = directory.log_of(self.name)
         self._pid_file = directory.pid_file_of(self.name)
         self._popen: Optional[subprocess.Popen] = None
@@ -46,11 +49,29 @@ class ServiceChild:
         self._pid_file.unlink(missing_ok=True)
         return code
 
-    def plan_restart(self) -> float:
+    def plan_restart(self, last_end: str) -> float:
         """After an end: returns the wait in seconds."""
-        wait_s = self.back_off.crashed(time.monotonic() - self._started)
+        wait_s = self.back_off.crashed(self._ran_s())
         self.restart_due = time.monotonic() + wait_s
+        self._record(last_end)
         return wait_s
+
+    def forgets_crashes_in(self) -> Optional[float]:
+        """Seconds until its crashes are forgotten, if it goes on running; None if there is nothing to
+        forget. To be called again then."""
+        if not self.back_off.in_a_row or not self.alive():
+            return None
+        if self.back_off.runs_well(self._ran_s()):
+            self._record("")
+            return None
+        return self.back_off.time_to_forget(self._ran_s())
+
+    def _ran_s(self) -> float:
+        return time.monotonic() - self._started
+
+    def _record(self, last_end: str) -> None:
+        CrashRecord(self.back_off.restarts, self.back_off.in_a_row, self.back_off.looping,
+                    last_end).write(self._directory, self.name)
 
     def signal(self, number: int) -> None:
         if self._popen is not None:
@@ -69,4 +90,8 @@ def last_lines(file: Path, count: int) -> List[str]:
 
 def how_it_ended(code: int) -> str:
     """A Popen return code in words."""
-    return f"was ended by signal {-code}" if code < 0 else f"ended with exit code {code}"
+    if code == -signal.SIGKILL:
+        return "was killed (signal 9)"
+    if code < 0:
+        return f"was ended by signal {-code} ({signal.strsignal(-code) or 'unknown'})"
+    return f"ended with exit code {code}"

@@ -3,8 +3,8 @@
 from typing import List
 
 from .places import Places
-from .run_directory import RunDirectory
-from .stack import Bus, ServiceProcess, Stack
+from .stack import ServiceProcess
+from .stack_run import StackRun
 
 
 def configuration_arguments(process: ServiceProcess) -> List[str]:
@@ -17,8 +17,9 @@ def configuration_arguments(process: ServiceProcess) -> List[str]:
     return arguments
 
 
-def service_command(places: Places, stack: Stack, bus: Bus, directory: RunDirectory,
-                    process: ServiceProcess) -> List[str]:
-    return [str(places.program(process.service.binary)), *configuration_arguments(process),
-            "--run-dir", str(directory.path), "--instance", str(process.instance),
-            *bus.arguments(), "--expect", stack.expected(), "--log-level", stack.log_level]
+def service_command(places: Places, run: StackRun, process: ServiceProcess) -> List[str]:
+    pace = ["--pace", run.pace.value] if process.service.tick_master else []
+    return [str(places.program(process.service.binary)), *configuration_arguments(process), *pace,
+            "--run-dir", str(run.directory.path), "--instance", str(process.instance),
+            *run.bus.arguments(), "--expect", run.stack.expected(),
+            "--log-level", run.stack.log_level]

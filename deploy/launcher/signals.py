@@ -7,7 +7,7 @@ from typing import Iterable, Optional, Set
 
 from .failure import Interrupted
 
-_STOP_SIGNALS = (signal.SIGINT, signal.SIGTERM, signal.SIGHUP)
+STOP_SIGNALS = (signal.SIGINT, signal.SIGTERM, signal.SIGHUP)
 
 
 class Signals:
@@ -20,7 +20,7 @@ class Signals:
         self.stop_requested = False
         self._read_end, self._write_end = os.pipe2(os.O_NONBLOCK | os.O_CLOEXEC)
         signal.set_wakeup_fd(self._write_end, warn_on_full_buffer=False)
-        for number in (*_STOP_SIGNALS, signal.SIGCHLD):
+        for number in (*STOP_SIGNALS, signal.SIGCHLD):
             if number == signal.SIGHUP and signal.getsignal(number) == signal.SIG_IGN:
                 continue  # started by nohup
             signal.signal(number, self._note)
@@ -44,7 +44,7 @@ class Signals:
             raise Interrupted()
 
     def _note(self, number: int, _frame: object) -> None:
-        if number in _STOP_SIGNALS:
+        if number in STOP_SIGNALS:
             self.stop_requested = True
 
     def _drain(self) -> None:

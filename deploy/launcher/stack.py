@@ -1,9 +1,9 @@
 """What a stack consists of: the plain values of stack.yaml."""
 
 import enum
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from pathlib import Path
-from typing import Optional, Tuple
+from typing import Optional, Sequence, Tuple
 
 
 class Restart(enum.Enum):
@@ -12,6 +12,17 @@ class Restart(enum.Enum):
     ALWAYS = "always"
     BETWEEN_TRIALS = "between_trials"
     NEVER = "never"
+
+
+class Pace(enum.Enum):
+    """What the tick master waits for: the answers of the others, or the wall clock."""
+
+    LOCKSTEP = "lockstep"
+    REALTIME = "realtime"
+
+    @property
+    def words(self) -> str:
+        return "in lockstep" if self is Pace.LOCKSTEP else "in real time"
 
 
 @dataclass(frozen=True)
@@ -25,6 +36,7 @@ class Service:
     stop_s: float
     robot: Optional[Path] = None
     config: Optional[Path] = None
+    tick_master: bool = False
 
     def processes(self) -> Tuple["ServiceProcess", ...]:
         return tuple(ServiceProcess(self, i) for i in range(self.instances))
@@ -53,15 +65,17 @@ class BackOffTimes:
 
 @dataclass(frozen=True)
 class Bus:
-    """Where on DDS a stack lives."""
+    """Where on DDS a stack lives. `peers` are asked for by address where there is no multicast."""
 
     domain: int
     interface: str
     tag: str
+    peers: Tuple[str, ...] = ()
 
     def arguments(self) -> Tuple[str, ...]:
         tag = ("--tag", self.tag) if self.tag else ()
-        return ("--domain", str(self.domain), *tag, "--interface", self.interface)
+        peers = ("--peers", ",".join(self.peers)) if self.peers else ()
+        return ("--domain", str(self.domain), *tag, "--interface", self.interface, *peers)
 
 
 @dataclass(frozen=True)
@@ -76,13 +90,36 @@ class Stack:
     log_level: str
     ready_s: float
     back_off: BackOffTimes
+    elsewhere: Tuple[Service, ...] = ()  # part of the stack, but started on another host
+    peers: Tuple[str, ...] = ()
+    robot: str = ""
 
     def processes(self) -> Tuple[ServiceProcess, ...]:
         return tuple(p for service in self.services for p in service.processes())
 
     def expected(self) -> str:
-        """The value of --expect: who belongs to the stack, and how many of them."""
-        return ",".join(f"{s.name}={s.instances}" for s in self.services)
+        """The value of --expect: who belongs to the stack, here and elsewhere, and how many."""
+        return _counts((*self.services, *self.elsewhere))
+
+    def expected_here(self) -> str:
+        return _counts(self.services)
+
+    def expected_elsewhere(self) -> str:
+        """Empty for a stack on one host."""
+        return _counts(self.elsewhere)
 
     def service(self, name: str) -> Optional[Service]:
+        """A service that is started here."""
         return next((s for s in self.services if s.name == name), None)
+
+    def only(self, names: Sequence[str]) -> "Stack":
+        """With these services alone."""
+        return replace(self, services=tuple(s for s in self.services if s.name in names))
+
+    def tick_master(self) -> Optional[Service]:
+        """Whose clock the others follow, where it is started here."""
+        return next((s for s in self.services if s.tick_master), None)
+
+
+def _counts(services: Sequence[Service]) -> str:
+    return ",".join(f"{s.name}={s.instances}" for s in services)

@@ -81,6 +81,12 @@ class Value:
                       f"one of {', '.join(options)}")
         return value
 
+    def boolean(self) -> bool:
+        text = self._scalar([_BOOLEAN], "true or false")
+        if text not in ("true", "false"):  # YAML 1.1 would take yes, on, ... too
+            self.fail(f"expected true or false, found '{text}'")
+        return text == "true"
+
     def integer(self, low: int, high: int) -> int:
         text = self._scalar([_INTEGER], "an integer")
         if not re.fullmatch(r"[+-]?(0|[1-9][0-9]*)", text):  # YAML 1.1 would read 010 as 8

@@ -2,12 +2,10 @@
 
 import argparse
 import re
-from pathlib import Path
-from typing import Callable, List, Optional
+from typing import Callable, List
 
 from .failure import UsageError
-from .stack import Stack
-from .strict_yaml import did_you_mean, read_yaml
+from .stack_options import bounded_integer
 
 _NUMBER = re.compile(r"([0-9]+\.?[0-9]*|\.[0-9]+)([eE][+-]?[0-9]+)?")
 GOALS = ("across", "travel", "none")
@@ -21,16 +19,6 @@ def bounded_number(low: float, high: float) -> Callable[[str], str]:
         if not low <= float(text) <= high:
             raise argparse.ArgumentTypeError(f"{text} is out of range [{low:g}, {high:g}]")
         return text
-    return parse
-
-
-def bounded_integer(low: int, high: int) -> Callable[[str], int]:
-    def parse(text: str) -> int:
-        if not text.isascii() or not text.isdigit():
-            raise argparse.ArgumentTypeError(f"'{text}' is not a whole number")
-        if not low <= int(text) <= high:
-            raise argparse.ArgumentTypeError(f"{text} is out of range [{low}, {high}]")
-        return int(text)
     return parse
 
 
@@ -68,21 +56,7 @@ def trial_arguments(options: argparse.Namespace) -> List[str]:
     return arguments
 
 
-def check_trial(options: argparse.Namespace, stack: Stack) -> None:
-    """UsageError for options that contradict each other, and for a strategy that the supervisor's
-    configuration does not have."""
+def check_trial(options: argparse.Namespace) -> None:
+    """UsageError for options that contradict each other."""
     if options.goal == "across" and options.height is not None and float(options.height) == 0.0:
         raise UsageError("--goal across needs an obstacle: --height greater than 0")
-    supervisor = stack.service("supervisor")
-    if options.strategy is None or supervisor is None or supervisor.config is None:
-        return
-    known = strategies(supervisor.config)
-    if options.strategy not in known:
-        raise UsageError(f"unknown strategy '{options.strategy}'"
-                         f"{did_you_mean(options.strategy, known)}; one of {', '.join(known)}")
-
-
-def strategies(supervisor_config: Path) -> List[str]:
-    """Names in the `strategies` mapping of the supervisor's configuration."""
-    value: Optional[object] = read_yaml(supervisor_config).mapping().get("strategies")
-    return list(value.mapping()) if value is not None else []

@@ -17,9 +17,10 @@ constexpr std::chrono::seconds kRecordLimit{10};
 }  // namespace
 
 Conductor::Conductor(bus::Participant& participant, const runtime::Expectation& expect,
-                     Listener listener)
+                     Listener listener, FaultFile fault)
     : expect_(expect),
       listener_(std::move(listener)),
+      fault_(std::move(fault)),
       peers_(expect),
       guard_(participant),
       wait_set_(participant),
@@ -43,6 +44,7 @@ void Conductor::await_stack(std::chrono::seconds limit) {
     auto unmet = peers_.unmet();
     for (const auto& name : board_.missing(expect_, 0)) unmet.push_back(name + " to come up");
     if (unmet.empty()) return;
+    if (const auto fault = fault_.reason()) throw NotReady(*fault);
     const auto waited = Clock::now() - since;
     if (waited > limit)
       throw NotReady("waited " + std::to_string(limit.count()) + " s for " + runtime::join(unmet));
@@ -99,6 +101,10 @@ void Conductor::show_changes(const Outcome& outcome, std::size_t& shown) const {
 /// A service that cannot go on, or a stack gone silent, ends the trial here: no verdict will come.
 void Conductor::watch_for_trouble(TrialWatch& watch, std::chrono::seconds silence_limit) {
   if (watch.ended()) return;
+  if (const auto fault = fault_.reason()) {
+    watch.fail(*fault);
+    return;
+  }
   for (const auto& [peer, report] : board_.reports()) {
     if (report.health == scarab_HEALTH_FAULT && !left_over(report)) {
       watch.fail(bus::to_string(peer) + ": " + report.message);
@@ -141,7 +147,8 @@ void Conductor::await_record(const TrialWatch& watch) {
   while (Clock::now() - since < kRecordLimit) {
     const auto& changes = watch.outcome().changes;
     const bool told =
-        !changes.empty() && (changes.back().state == "done" || changes.back().state == "failed");
+        at_fault() ||  // nobody is left to say that it has ended
+        (!changes.empty() && (changes.back().state == "done" || changes.back().state == "failed"));
     if (told && recorded()) return;
     if (!told && Clock::now() - since > kPatience && recorded()) return;
     wait(kPoll);

@@ -13,6 +13,7 @@
 #include "common/runtime/shutdown.hpp"
 #include "common/runtime/status_board.hpp"
 #include "services/experiment/adapter.hpp"
+#include "services/experiment/fault_file.hpp"
 
 namespace scarab::experiment {
 
@@ -35,14 +36,19 @@ class Conductor {
     std::function<void(const Progress&)> progress;
   };
 
-  Conductor(bus::Participant& participant, const runtime::Expectation& expect, Listener listener);
+  Conductor(bus::Participant& participant, const runtime::Expectation& expect, Listener listener,
+            FaultFile fault);
 
-  /// Until every expected service is up and matched. Throws NotReady after `limit`, Interrupted.
+  /// Until every expected service is up and matched. Throws NotReady after `limit` or at a fault,
+  /// Interrupted.
   void await_stack(std::chrono::seconds limit);
   /// The first trial number that nobody in the stack has seen.
   [[nodiscard]] std::uint32_t next_trial() const;
-  /// Runs one trial to its end and to its last tick in the log. Throws Interrupted.
+  /// Runs one trial to its end and to its last tick in the log. A fault ends it, with no success.
+  /// Throws Interrupted.
   Outcome run(scarab_Trial trial, std::chrono::seconds silence_limit);
+  /// No further trial can run on this stack.
+  [[nodiscard]] bool at_fault() const { return fault_.reason().has_value(); }
 
  private:
   void wait(std::chrono::milliseconds timeout);
@@ -53,6 +59,7 @@ class Conductor {
 
   runtime::Expectation expect_;
   Listener listener_;
+  FaultFile fault_;
   runtime::PeerCheck peers_;
   bus::Guard guard_;
   bus::WaitSet wait_set_;

@@ -19,6 +19,8 @@ int main(int argc, char** argv) {
       ->capture_default_str();
   app.add_option("--silence-limit", options.silence_limit_s, "how long a trial may be silent, s")
       ->capture_default_str();
+  app.add_option("--fault-file", options.fault_file,
+                 "a line in this file, once it is there, says why no trial can go on");
   app.add_flag("--quiet", options.quiet, "print results only");
 
   return runtime::run_program(app, argc, argv, [&] {

@@ -26,7 +26,8 @@ int conduct(const ExperimentOptions& options) {
   (void)make_trial(options.trials, 0, 1);
   bus::Participant participant(options.bus.participant("experiment", 0));
   runtime::Screen screen(options.quiet);
-  Conductor conductor(participant, options.expect, listener_on(screen));
+  Conductor conductor(participant, options.expect, listener_on(screen),
+                      FaultFile(options.fault_file));
   std::vector<Outcome> outcomes;
   try {
     conductor.await_stack(std::chrono::seconds(options.ready_limit_s));
@@ -36,6 +37,11 @@ int conduct(const ExperimentOptions& options) {
       outcomes.push_back(conductor.run(trial, std::chrono::seconds(options.silence_limit_s)));
       screen.line(result_line(outcomes.back()));
       runtime::write_text(options.results, results_csv(outcomes));
+      const unsigned left = options.trials.trials - index - 1;
+      if (left > 0 && conductor.at_fault()) {
+        screen.line("the series ends here: " + std::to_string(left) + " trials were not run");
+        break;
+      }
     }
   } catch (const NotReady& error) {
     screen.line(std::string("result: failure: the stack is not ready: ") + error.what());

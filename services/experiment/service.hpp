@@ -11,10 +11,11 @@ struct ExperimentOptions {
   runtime::BusOptions bus;
   runtime::Expectation expect;
   runtime::TrialOptions trials;
-  std::filesystem::path results;  ///< CSV; empty: none
-  unsigned ready_limit_s = 20;    ///< how long to wait for the stack
-  unsigned silence_limit_s = 30;  ///< how long a trial may be silent
-  bool quiet = false;             ///< results only
+  std::filesystem::path results;     ///< CSV; empty: none
+  std::filesystem::path fault_file;  ///< FaultFile; empty: none
+  unsigned ready_limit_s = 20;       ///< how long to wait for the stack
+  unsigned silence_limit_s = 30;     ///< how long a trial may be silent
+  bool quiet = false;                ///< results only
 };
 
 /// Runs the series and reports it on stdout; returns the program's exit code: 0 all trials

@@ -31,7 +31,7 @@ class Run(FakeStackTest):
         directory = self.run_directory()
         self.assertRegex(directory.name, r"^\d{4}-\d{2}-\d{2}-1$")
         for name in ("trial.mcap", "results.csv", "config/plant.yaml", "config/stack.yaml",
-                     "config/version.txt", "logs/plant.log", "logs/launcher.log"):
+                     "config/run.yaml", "logs/plant.log", "logs/launcher.log"):
             self.assertTrue((directory / name).is_file(), name)
         self.assertEqual(list((directory / "pids").glob("*.json")), [])
         self.assertEqual(self.scarab("run")[0], 0)
@@ -112,7 +112,7 @@ class Crash(FakeStackTest):
         self.withdraw("scarab-experiment", "hold")
         code, _, err = self.finish(launcher)
         self.assertEqual(code, 0, err)
-        self.assertIn("premotor was ended by signal 9; restart 2 follows", err)
+        self.assertIn("premotor was killed (signal 9); restart 2 follows", err)
 
     def test_plant_is_not_restarted_in_a_trial(self):
         self.order("scarab-experiment", "hold")

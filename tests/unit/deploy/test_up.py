@@ -32,7 +32,7 @@ class Up(FakeStackTest):
         self.assertEqual(code, 0, out)
         code, out, err = self.scarab("run", *self.words)
         self.assertEqual(code, 0, err)
-        self.assertIn("using the running stack", out)
+        self.assertIn("that is up", out)
         self.assertEqual(len(self.living()), 3)
         self.assertEqual(self.scarab("down", *self.words)[0], 0)
         self.assertEqual(self.living(), [])
@@ -134,7 +134,8 @@ class PidReuse(FakeStackTest):
         (self.runs / ".stacks").mkdir()
         (self.runs / ".stacks" / "domain-199.json").write_text(json.dumps({
             "kind": "lasting", "keeper": recycled.to_json(), "domain": 199, "interface": "lo",
-            "tag": "", "directory": str(stale), "expected": "plant=1", "ready": True}))
+            "tag": "", "peers": [], "directory": str(stale), "expected": "plant=1", "here": "plant=1",
+            "pace": "realtime", "tick_master": "plant", "ready": True}))
         signals = []
         for number in (signal.SIGTERM, signal.SIGUSR1):
             previous = signal.signal(number, lambda *_: signals.append(1))

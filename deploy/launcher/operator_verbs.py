@@ -1,0 +1,87 @@
+"""`scarab start`, `pause`, `step`, `stop`, `estop`, `reset`, `drive`: to the robot, while a trial runs."""
+
+import argparse
+from typing import Callable, List, NoReturn
+
+from .failure import EXIT_OK, Failure
+from .foreground import run_in_front
+from .places import Places
+from .running_stack import RunningStack, choose_stack, running_stacks
+from .signals import Signals
+from .strategies import strategies_of_running
+from .tool_verbs import become
+from .verbs import Verbs
+
+_COMMANDS = {"estop": "emergency-stop"}  # of scarab-operator, where the verb has a shorter name
+_STOP_MORE = """The trial's verdict is a failure, by the operator; the stack stays up for the next one. To stop the
+stack itself: `deploy/scarab down`. To hold the robot at once: `deploy/scarab estop`."""
+_ESTOP_MORE = """The robot holds its position, or drops its torque where its file says so. It stays so until
+`deploy/scarab reset`. Without --domain it goes to every stack that is up on this machine."""
+_RESET_MORE = """Each joint first moves slowly to the start pose (homing); then the trial goes on."""
+_DRIVE_MORE = """Modes, strategies and the network's inputs I1..I4 by hand, with the robot's live state, in this
+terminal. Its keys are shown on the screen."""
+
+
+def add_verbs(verbs: Verbs) -> None:
+    _add(verbs, "start", "go on after a pause")
+    _add(verbs, "pause", "hold the trial; `start` goes on, `step` does one tick")
+    _add(verbs, "step", "do one tick, then pause again")
+    _add(verbs, "stop", "end the trial, as failed; the stack stays up (`down` stops that)", _STOP_MORE)
+    parser = verbs.add("estop", emergency_stop, "emergency stop: safe stop at once, until `reset`",
+                       "deploy/scarab estop --reason 'a hand is in the way'", _ESTOP_MORE)
+    _add_reason(parser)
+    _add(verbs, "reset", "leave the safe stop, through homing", _RESET_MORE)
+    verbs.add("drive", drive, "drive the robot by hand, in this terminal", "deploy/scarab drive",
+              _DRIVE_MORE)
+    verbs.add_tool("operator", "scarab-operator", "all that an operator can say, to any domain", True)
+
+
+def emergency_stop(options: argparse.Namespace, places: Places) -> int:
+    """To all stacks that could be meant: nobody should have to think first."""
+    signals = Signals()
+    stacks = [s for s in running_stacks(places.runs) if options.domain in (None, s.bus.domain)]
+    if not stacks:
+        raise Failure(_no_stack(options))
+    codes = [run_in_front(_command("estop", stack, options, places), signals) for stack in stacks]
+    return max(codes, default=EXIT_OK)
+
+
+def drive(options: argparse.Namespace, places: Places) -> NoReturn:
+    stack = _stack(options, places)
+    known = strategies_of_running(stack)
+    strategies = ["--strategies", ",".join(known)] if known else []
+    become([str(places.program("scarab-drive")), *stack.bus.arguments(), *strategies])
+
+
+def _add(verbs: Verbs, name: str, text: str, more: str = "") -> None:
+    _add_reason(verbs.add(name, _teller(name), text, f"deploy/scarab {name}", more))
+
+
+def _add_reason(parser: argparse.ArgumentParser) -> None:
+    parser.add_argument("--reason", metavar="TEXT", help="why; it is written to the log")
+
+
+def _teller(name: str) -> Callable[[argparse.Namespace, Places], int]:
+    def tell(options: argparse.Namespace, places: Places) -> NoReturn:
+        become(_command(name, _stack(options, places), options, places))
+
+    return tell
+
+
+def _command(name: str, stack: RunningStack, options: argparse.Namespace,
+             places: Places) -> List[str]:
+    reason = ["--reason", options.reason] if options.reason else []
+    return [str(places.program("scarab-operator")), _COMMANDS.get(name, name), *stack.bus.arguments(), *reason]
+
+
+def _stack(options: argparse.Namespace, places: Places) -> RunningStack:
+    stack = choose_stack(places.runs, options.domain)
+    if stack is None:
+        raise Failure(_no_stack(options))
+    return stack
+
+
+def _no_stack(options: argparse.Namespace) -> str:
+    where = "" if options.domain is None else f" on DDS domain {options.domain}"
+    return (f"no stack of this source tree is running{where}: start one with deploy/scarab up "
+            "(deploy/scarab operator COMMAND --domain N speaks to any)")
