@@ -1,0 +1,46 @@
+"""scarab-config as a process, and the files it is about."""
+
+import json
+import os
+import subprocess
+from pathlib import Path
+
+import yaml
+
+SOURCE_ROOT = Path(__file__).resolve().parents[3]
+CONFIG = SOURCE_ROOT / "config"
+SCHEMAS = CONFIG / "schema"
+SHIPPED = sorted(CONFIG.glob("*/*.yaml"))
+REGENERATE = "run: scarab-config schema --all config/schema"
+
+
+def scarab_config(*arguments, folder=SOURCE_ROOT):
+    """Exit code, standard output, standard error. The program comes from the environment: SCARAB_CONFIG."""
+    done = subprocess.run([os.environ["SCARAB_CONFIG"], *map(str, arguments)], cwd=folder, capture_output=True,
+                          text=True, timeout=60)
+    return done.returncode, done.stdout, done.stderr
+
+
+def kind_of(file):
+    return file.parent.name
+
+
+def schema_of(kind):
+    return json.loads((SCHEMAS / f"{kind}.json").read_text())
+
+
+class _Yaml12(yaml.SafeLoader):
+    """Numbers and truth values as YAML 1.2, editors and scarab-config read them; PyYAML is of 1.1."""
+
+
+_Yaml12.yaml_implicit_resolvers = {}
+_Yaml12.add_implicit_resolver("tag:yaml.org,2002:bool", yaml.resolver.re.compile(r"true$|false$"), list("tf"))
+_Yaml12.add_implicit_resolver("tag:yaml.org,2002:int", yaml.resolver.re.compile(r"[-+]?[0-9]+$"),
+                              list("-+0123456789"))
+_Yaml12.add_implicit_resolver(
+    "tag:yaml.org,2002:float",
+    yaml.resolver.re.compile(r"[-+]?(\.[0-9]+|[0-9]+(\.[0-9]*)?)([eE][-+]?[0-9]+)?$"), list("-+.0123456789"))
+
+
+def read_yaml(text):
+    return yaml.load(text, _Yaml12)

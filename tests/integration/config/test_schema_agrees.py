@@ -1,0 +1,99 @@
+"""An independent validator with the shipped schemas, and the program's own reader: of one mind about every file."""
+
+import tempfile
+import unittest
+from pathlib import Path
+
+import yaml
+from jsonschema import Draft7Validator
+
+import mutation
+from config_program import SHIPPED, kind_of, read_yaml, scarab_config, schema_of
+
+# Mutants are made of these: what a mistake in a file that extends another comes to depends on the other.
+WHOLE = [file for file in SHIPPED if "extends" not in read_yaml(file.read_text())]
+
+
+def refused_by_schema(schema, content):
+    return not Draft7Validator(schema).is_valid(content)
+
+
+class SchemaAgrees(unittest.TestCase):
+    def setUp(self):
+        folder = tempfile.TemporaryDirectory()
+        self.addCleanup(folder.cleanup)
+        self.folder = Path(folder.name)
+
+    def refusals(self, kind, contents):
+        """What the program says of each content, or None; all in one process."""
+        files = [self.folder / f"{number}.yaml" for number in range(len(contents))]
+        for file, content in zip(files, contents):
+            file.write_text(yaml.safe_dump(content, sort_keys=False))
+        _, out, err = scarab_config("check", "--kind", kind, *files)
+        good = set(out.splitlines())
+        bad = {line.partition(":")[0]: line for line in err.splitlines()}
+        self.assertEqual(len(good) + len(bad), len(files), err)
+        return [None if f"{file}: ok" in good else bad[str(file)] for file in files]
+
+    def assert_both_refuse(self, make, least):
+        count = 0
+        for file in WHOLE:
+            kind = kind_of(file)
+            schema = schema_of(kind)
+            mutants = list(make(read_yaml(file.read_text()), schema))
+            for mutant, refusal in zip(mutants, self.refusals(kind, [mutant.content for mutant in mutants])):
+                with self.subTest(file=file.name, kind=kind, mutant=mutant.name):
+                    self.assertTrue(refused_by_schema(schema, mutant.content), "the schema takes it")
+                    self.assertIsNotNone(refusal, "the program takes it")
+            count += len(mutants)
+        self.assertGreaterEqual(count, least)
+
+    def test_both_take_every_shipped_file(self):
+        for file in SHIPPED:
+            errors = list(Draft7Validator(schema_of(kind_of(file))).iter_errors(read_yaml(file.read_text())))
+            self.assertEqual([error.message for error in errors], [], file)
+        code, out, err = scarab_config("check", *SHIPPED)
+        self.assertEqual((code, err), (0, ""))
+        self.assertEqual(out.splitlines(), [f"{file}: ok" for file in SHIPPED])
+
+    def test_both_refuse_unknown_keys(self):
+        self.assert_both_refuse(mutation.with_unknown_key, 50)
+
+    def test_both_refuse_missing_keys(self):
+        self.assert_both_refuse(mutation.without_key, 200)
+
+    def test_both_refuse_wrong_types(self):
+        self.assert_both_refuse(lambda content, _: mutation.of_wrong_type(content), 600)
+
+    def test_both_refuse_wrong_sizes(self):
+        self.assert_both_refuse(mutation.of_wrong_size, 30)
+
+    def test_both_refuse_what_is_out_of_range(self):
+        self.assert_both_refuse(mutation.out_of_range, 150)
+
+    def extending(self, file, change):
+        content = {"extends": str(file), **change}
+        refusal, = self.refusals(kind_of(file), [content])
+        return refused_by_schema(schema_of(kind_of(file)), content), refusal
+
+    def test_a_file_that_extends_need_not_be_complete(self):
+        for file in WHOLE:
+            self.assertEqual(self.extending(file, {}), (False, None))
+        beetle = next(file for file in WHOLE if kind_of(file) == "robot")
+        part = {"servos": {"leg": {"kp_nm_rad": 12.5}}, "legs": {"hind": {"tibia": {"length_m": 0.1}}}}
+        self.assertEqual(self.extending(beetle, part), (False, None))
+        self.assertTrue(refused_by_schema(schema_of("robot"), part), "without `extends`")
+        self.assertIsNotNone(self.refusals("robot", [part])[0])
+
+    def test_a_file_that_extends_must_be_right_in_what_it_gives(self):
+        beetle = next(file for file in WHOLE if kind_of(file) == "robot")
+        for change in ({"servos": {"leg": {"kp": 1}}}, {"legs": {"hind": {"foot_radius_m": 0}}},
+                       {"legs": {"hind": {"attachment_m": [0, 0]}}}, {"backbone": "none"}, {"legs": "absent"},
+                       {"trunk": {"extends": str(beetle)}}):
+            by_schema, by_program = self.extending(beetle, change)
+            self.assertTrue(by_schema, change)
+            self.assertIsNotNone(by_program, change)
+
+
+if __name__ == "__main__":
+    unittest.main()

@@ -1,0 +1,105 @@
+"""scarab-config as a user meets it: what it prints where, and its exit codes."""
+
+import tempfile
+import unittest
+from pathlib import Path
+
+from config_program import CONFIG, SCHEMAS, SHIPPED, kind_of, read_yaml, scarab_config
+
+BEETLE = CONFIG / "robot" / "beetle.yaml"
+
+
+class Tool(unittest.TestCase):
+    def setUp(self):
+        folder = tempfile.TemporaryDirectory()
+        self.addCleanup(folder.cleanup)
+        self.folder = Path(folder.name)
+
+    def write(self, name, text):
+        file = self.folder / name
+        file.parent.mkdir(parents=True, exist_ok=True)
+        file.write_text(text)
+        return file
+
+    def assert_refused(self, *arguments, saying):
+        """One line on stderr, nothing on stdout, exit code 2."""
+        code, out, err = scarab_config(*arguments)
+        self.assertEqual((code, out), (2, ""))
+        self.assertEqual(err.count("\n"), 1, err)
+        self.assertIn(saying, err)
+
+    def test_check_looks_at_every_file(self):
+        wrong = self.write("robot/wrong.yaml", f"extends: {BEETLE}\ntrunk: {{lenght_m: 1}}\n")
+        missing = self.folder / "robot" / "none.yaml"
+        code, out, err = scarab_config("check", wrong, BEETLE, missing)
+        self.assertEqual(code, 2)
+        self.assertEqual(out, f"{BEETLE}: ok\n")
+        self.assertEqual(err.splitlines(), [
+            f"{wrong}:2:9: trunk.lenght_m: unknown key; did you mean 'length_m'?",
+            f"{missing}:1:1: (file): No such file or directory"])
+
+    def test_check_finds_conditions_between_keys(self):
+        wrong = self.write("robot/wrong.yaml", f"extends: {BEETLE}\nbackbone: {{servo: bakcbone}}\n")
+        self.assert_refused("check", wrong, saying="wrong.yaml:2:19: backbone.servo: no servo 'bakcbone'")
+
+    def test_the_folder_says_the_kind(self):
+        code, out, _ = scarab_config("check", "beetle.yaml", folder=CONFIG / "plant")
+        self.assertEqual((code, out), (0, "beetle.yaml: ok\n"))
+        stray = self.write("stray.yaml", BEETLE.read_text())
+        self.assert_refused("check", stray, saying="name one with --kind (plant, premotor, robot, supervisor)")
+        self.assertEqual(scarab_config("check", stray, "--kind", "robot")[:2], (0, f"{stray}: ok\n"))
+        self.assert_refused("check", stray, "--kind", "bird", saying="no kind 'bird'")
+
+    def test_dump_is_the_whole_and_means_the_same(self):
+        for file in SHIPPED:
+            code, out, err = scarab_config("dump", file)
+            self.assertEqual((code, err), (0, ""))
+            self.assertNotIn("extends", read_yaml(out))
+            dumped = self.write(f"{kind_of(file)}/dumped.yaml", out)
+            self.assertEqual(scarab_config("diff", file, dumped), (0, "", ""))
+            self.assertEqual(scarab_config("dump", dumped)[1], out)
+
+    def test_dump_resolves_what_a_file_extends(self):
+        stiff = self.write("robot/stiff.yaml", f"extends: {BEETLE}\nservos: {{leg: {{kp_nm_rad: 30}}}}\nbackbone: absent\n")
+        before, after = read_yaml(BEETLE.read_text()), read_yaml(scarab_config("dump", stiff)[1])
+        before["servos"]["leg"]["kp_nm_rad"] = 30
+        before["backbone"] = "absent"
+        self.assertEqual(after, before)
+
+    def test_diff_shows_values_whatever_file_they_stand_in(self):
+        stiff = self.write("robot/stiff.yaml", f"extends: {BEETLE}\nservos: {{leg: {{kp_nm_rad: 30}}}}\n"
+                           "legs: {hind: {attachment_m: [-0.2, 0.035, 0.0325]}}\n")
+        code, out, err = scarab_config("diff", BEETLE, stiff)
+        self.assertEqual((code, err), (1, ""))
+        self.assertEqual(out.splitlines(), [
+            "servos.leg.kp_nm_rad: 10 -> 30",
+            "legs.hind.attachment_m: [-0.165, 0.035, 0.0325] -> [-0.2, 0.035, 0.0325]"])
+
+    def test_diff_of_what_cannot_be_compared_is_trouble_not_a_difference(self):
+        self.assert_refused("diff", BEETLE, CONFIG / "plant" / "beetle.yaml", saying="nothing to compare")
+        self.assert_refused("diff", BEETLE, self.folder / "robot" / "none.yaml", saying="No such file")
+
+    def test_schema_of_all_kinds_goes_to_a_folder(self):
+        code, out, _ = scarab_config("schema", "--all", self.folder / "schema")
+        self.assertEqual(code, 0)
+        written = sorted((self.folder / "schema").iterdir())
+        self.assertEqual(out.splitlines(), list(map(str, written)))
+        self.assertEqual([file.name for file in written], sorted(file.name for file in SCHEMAS.iterdir()))
+        code, _, err = scarab_config("schema", "--all", BEETLE)
+        self.assertEqual((code, err.count("\n")), (1, 1), err)
+
+    def test_bad_command_lines_are_one_line(self):
+        for arguments in ([], ["dump"], ["diff", BEETLE], ["dump", BEETLE, BEETLE], ["check"], ["chek", BEETLE],
+                          ["schema"], ["schema", "bird"], ["schema", "robot", "--all", "x"], ["check", "--no-such"]):
+            with self.subTest(arguments=arguments):
+                self.assert_refused(*arguments, saying="scarab-config: ")
+
+    def test_every_subcommand_has_help_with_an_example(self):
+        for arguments in ([], ["check"], ["dump"], ["diff"], ["schema"]):
+            code, out, err = scarab_config(*arguments, "--help")
+            self.assertEqual((code, err), (0, ""))
+            self.assertIn("Example: scarab-config ", out)
+
+
+if __name__ == "__main__":
+    unittest.main()
