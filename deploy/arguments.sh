@@ -1,6 +1,6 @@
 # shellcheck shell=bash
 # Checks the options of deploy/demo before anything is installed: with nothing but bash and awk, as on a
-# bare Debian. deploy/launcher/trial_options.py knows the same options; a test holds the two together.
+# bare Debian. The launcher knows the same options and checks them again; a test holds the two together.
 # shellcheck disable=SC2154  # scarab_root is set by setup.sh
 
 usage_error() {
@@ -18,28 +18,46 @@ kind_of() {
     --trials) echo "integer 1 100000" ;;
     --domain) echo "integer 0 230" ;;
     --goal) echo "word across travel none" ;;
-    --strategy) echo "word $(strategies | tr '\n' ' ')" ;;
-    --tag) echo "text" ;;
-    --no-perturbation | --keep) echo "flag" ;;
+    --robot) echo "word $(robots)" ;;
+    --strategy | --profile) echo "name" ;;
+    --replicas) echo "replicas" ;;
+    --config) echo "service_file" ;;
+    --tag | --interface) echo "text" ;;
+    --no-perturbation | --keep | --realtime | --lockstep) echo "flag" ;;
   esac
 }
 
-# strategies: names in the supervisor's configuration.
+# robots: those that are described.
+robots() {
+  local file
+  for file in "$scarab_root"/config/robot/*.yaml; do
+    file=${file##*/}
+    echo "${file%.yaml}"
+  done | tr '\n' ' '
+}
+
+# strategies: names in the default robot's supervisor configuration; nothing where that builds on another file,
+# which only the supervisor itself can read.
 strategies() {
+  local robot file
+  robot=$(awk '/^robot:/ { print $2 }' "$scarab_root/deploy/stack.yaml")
+  file=$scarab_root/config/supervisor/$robot.yaml
+  [ -f "$file" ] && ! grep -q '^extends:' "$file" || return 0
   awk '/^[^ #]/ { inside = /^strategies:/ }
-       inside && /^  [^ #]/ { sub(/:.*/, ""); print $1 }' \
-    "$scarab_root/config/supervisor/beetle.yaml"
+       inside && /^  [^ #]/ { sub(/:.*/, ""); print $1 }' "$file"
 }
 
 # check_arguments ARGUMENT...: exits with 2 at the first mistake.
 check_arguments() {
-  local option value kind height="" goal=""
+  local option value kind
+  local -A given=()
   while [ $# -gt 0 ]; do
     option=${1%%=*}
     kind=$(kind_of "$option")
     [ -n "$kind" ] || usage_error "unknown option '$1'"
     if [ "$kind" = flag ]; then
       [ "$1" = "$option" ] || usage_error "$option takes no value"
+      given[$option]=yes
       shift
       continue
     fi
@@ -53,12 +71,25 @@ check_arguments() {
     fi
     # shellcheck disable=SC2086  # kind and bounds are words
     check_value "$option" "$value" $kind
-    [ "$option" = --height ] && height=$value
-    [ "$option" = --goal ] && goal=$value
+    given[$option]=$value
   done
-  if [ "$goal" = across ] && [ -n "$height" ] && ! is_above "$height"; then
+  check_together
+}
+
+# check_together: what options say of each other; `given` is that of check_arguments.
+check_together() {
+  local known
+  if [ "${given[--goal]-}" = across ] && [ -n "${given[--height]-}" ] && ! is_above "${given[--height]}"; then
     usage_error "--goal across needs an obstacle: --height greater than 0"
   fi
+  [ -z "${given[--realtime]-}" ] || [ -z "${given[--lockstep]-}" ] ||
+    usage_error "--realtime and --lockstep contradict each other"
+  # Names in other files than the default ones are left to the launcher, once it is built.
+  [ -n "${given[--strategy]-}" ] && [ -z "${given[--robot]-}${given[--config]-}" ] || return 0
+  known=$(strategies | tr '\n' ' ')
+  # shellcheck disable=SC2086  # known is words
+  [ -z "$known" ] || is_one_of "${given[--strategy]}" $known ||
+    usage_error "--strategy: unknown value '${given[--strategy]}'; one of: $known"
 }
 
 # check_value OPTION VALUE KIND BOUND...
@@ -66,13 +97,21 @@ check_value() {
   local option=$1 value=$2 kind=$3
   shift 3
   case $kind in
+    name)
+      [[ $value =~ ^[A-Za-z0-9][A-Za-z0-9_+-]*$ ]] || usage_error "$option: '$value' is not a name" ;;
+    replicas)
+      [[ $value =~ ^[a-z][a-z0-9_]*=[1-8](,[a-z][a-z0-9_]*=[1-8])*$ ]] ||
+        usage_error "$option: '$value' is not SERVICE=N with N from 1 to 8, such as premotor=2" ;;
+    service_file)
+      [[ $value =~ ^[a-z][a-z0-9_]*=. ]] || usage_error "$option: '$value' is not SERVICE=FILE"
+      [ -f "${value#*=}" ] || usage_error "$option: there is no file ${value#*=}" ;;
     word)
       is_one_of "$value" "$@" || usage_error "$option: unknown value '$value'; one of: $*" ;;
     integer)
       [[ $value =~ ^[0-9]+$ ]] || usage_error "$option: '$value' is not a whole number"
       in_integer_range "$value" "$1" "$2" || usage_error "$option: $value is out of range [$1, $2]" ;;
     number)
-      [[ $value =~ ^([0-9]+\.?[0-9]*|\.[0-9]+)([eE][+-]?[0-9]+)?$ ]] ||
+      [[ $value =~ ^-?([0-9]+\.?[0-9]*|\.[0-9]+)([eE][+-]?[0-9]+)?$ ]] ||
         usage_error "$option: '$value' is not a number"
       awk -v x="$value" -v low="$1" -v high="$2" 'BEGIN { exit !(x + 0 >= low + 0 && x + 0 <= high + 0) }' ||
         usage_error "$option: $value is out of range [$1, $2]" ;;

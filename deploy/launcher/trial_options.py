@@ -7,7 +7,7 @@ from typing import Callable, List
 from .failure import UsageError
 from .stack_options import bounded_integer
 
-_NUMBER = re.compile(r"([0-9]+\.?[0-9]*|\.[0-9]+)([eE][+-]?[0-9]+)?")
+_NUMBER = re.compile(r"-?([0-9]+\.?[0-9]*|\.[0-9]+)([eE][+-]?[0-9]+)?")
 GOALS = ("across", "travel", "none")
 
 

@@ -1,22 +1,34 @@
 """Bad usage of deploy/demo: exit code 2 before anything is installed or built."""
 
 import os
+import re
+import shutil
 import subprocess
 import tempfile
 import unittest
 from pathlib import Path
 
 from fake_stack import SOURCE_ROOT
+from launcher.cli import all_verbs
+from launcher.verbs import options_of
+
+PLACES = ("--stack", "--bin", "--runs")  # which demo does not have: it runs what it has built
 
 GOOD = (["--height", "0.10"], ["--height=.08"], ["--height", "0"], ["--strategy", "boxing+hard"],
         ["--seed", "18446744073709551615"], ["--trials", "10", "--no-perturbation"],
-        ["--goal", "travel", "--distance", "1e0"], ["--domain", "7"])
+        ["--goal", "travel", "--distance", "1e0"], ["--domain", "7"], ["--realtime"],
+        ["--lockstep", "--robot", "beetle"], ["--replicas", "premotor=2"],
+        ["--replicas=premotor=2,supervisor=1"], ["--interface", "lo"], ["--profile", "control-host"],
+        ["--config", f"plant={SOURCE_ROOT}/config/plant/beetle.yaml"])
 BAD = (["--height"], ["--height", "high"], ["--height", "nan"], ["--height", "-0.1"],
        ["--height", "0.51"], ["--height", "1e9"], ["--strategy", "softly"], ["--strategy", ""],
        ["--strategy", "soft boxing"], ["--seed", "-1"], ["--seed", "1.5"],
        ["--seed", "18446744073709551616"], ["--trials", "0"], ["--trials", "100001"],
        ["--time-limit", "0"], ["--goal", "home"], ["--goal", "across", "--height", "0"],
-       ["--domain", "231"], ["--no-perturbation=1"], ["--heigth", "0.1"], ["nonsense"])
+       ["--realtime", "--lockstep"], ["--realtime=1"], ["--robot", "betle"], ["--robot", ""],
+       ["--replicas", "premotor"], ["--replicas", "premotor=0"], ["--replicas", "premotor=9"],
+       ["--replicas", "premotor=2,"], ["--config", "plant"], ["--config", "plant=/no/such/file"],
+       ["--profile", "a b"], ["--domain", "231"], ["--no-perturbation=1"], ["--heigth", "0.1"], ["nonsense"])
 # Whatever sets up or builds goes through one of these.
 TOUCHING = ("apt-get", "dpkg-query", "sudo", "cmake", "ninja", "mkdir")
 
@@ -31,6 +43,13 @@ class DemoUsage(unittest.TestCase):
             program.write_text(f"#!/bin/sh\necho {name} >> {self.room}/touched\nexit 1\n")
             program.chmod(0o755)
 
+        # The supervisor alone knows its strategies; this one says what is in its file.
+        (self.room / "bin").mkdir()
+        supervisor = self.room / "bin" / "scarab-supervisor"
+        supervisor.write_text('#!/bin/sh\nwhile [ "$1" != --config ]; do shift; done; cat "$2"\n')
+        supervisor.chmod(0o755)
+        shutil.copy("/bin/true", self.room / "bin" / "scarab-experiment")
+
     def demo(self, words):
         environment = {**os.environ, "PATH": f"{self.room}:/usr/bin:/bin"}
         return subprocess.run([str(SOURCE_ROOT / "deploy" / "demo"), *words], capture_output=True,
@@ -40,9 +59,9 @@ class DemoUsage(unittest.TestCase):
         return (self.room / "touched").exists()
 
     def launcher(self, words):
-        """The launcher with the same words; it has no programs, so good words end with 1."""
+        """The launcher with the same words; most programs are not there, so good words end with 1."""
         return subprocess.run(
-            [str(SOURCE_ROOT / "deploy" / "scarab"), "run", "--bin", str(self.room / "empty"),
+            [str(SOURCE_ROOT / "deploy" / "scarab"), "run", "--bin", str(self.room / "bin"),
              "--runs", str(self.room / "runs"), *words], capture_output=True, text=True, check=False)
 
     def test_bad_words_end_with_2_and_touch_nothing(self):
@@ -76,6 +95,25 @@ class DemoUsage(unittest.TestCase):
                 done = self.launcher(words)
                 self.assertEqual((done.returncode, "is not built" in done.stderr), (1, True),
                                  done.stderr)
+
+    def test_same_options_as_the_launcher(self):
+        of_launcher = set(options_of(all_verbs().parsers["run"])) - {"-h", "--help", *PLACES}
+        script = (SOURCE_ROOT / "deploy" / "arguments.sh").read_text()
+        table = script[script.index("kind_of()"):script.index("robots()")]
+        self.assertEqual(set(re.findall(r"--[a-z-]+", table)), of_launcher)
+        in_help = set(re.findall(r"^  (--[a-z-]+)", self.demo(["--help"]).stdout, re.MULTILINE))
+        self.assertLessEqual(in_help, of_launcher)
+        self.assertGreater(len(in_help), 10)
+
+    def test_file_that_builds_on_another_is_left_to_the_supervisor(self):
+        shutil.copytree(SOURCE_ROOT / "deploy", self.room / "tree" / "deploy")
+        shutil.copytree(SOURCE_ROOT / "config", self.room / "tree" / "config")
+        file = self.room / "tree" / "config" / "supervisor" / "beetle.yaml"
+        file.write_text("extends: other.yaml\nstrategies:\n  mine: {approach: stop, push: []}\n")
+        done = subprocess.run(
+            ["bash", "-c", '. deploy/setup.sh; . deploy/arguments.sh; check_arguments --strategy theirs'],
+            cwd=self.room / "tree", capture_output=True, text=True, check=False)
+        self.assertEqual((done.returncode, done.stderr), (0, ""))
 
 
 if __name__ == "__main__":
