@@ -3,7 +3,7 @@
 import argparse
 import json
 import sys
-from typing import Callable, Iterator, List, Tuple
+from typing import Callable, Iterator, List, Sequence, Tuple
 
 from .colour import Colour
 from .doctor.domain import domain, ports
@@ -19,8 +19,9 @@ from .doctor.services import care, clock
 from .doctor.sides import sides
 from .doctor.storage import storage
 from .doctor.subject import Subject
-from .failure import EXIT_FAILURE, EXIT_OK
+from .failure import EXIT_FAILURE, EXIT_OK, UsageError
 from .places import Places
+from .strict_yaml import did_you_mean
 
 Check = Callable[[Subject], List[Finding]]
 _CHECKS: Tuple[Tuple[str, Check], ...] = (
@@ -37,22 +38,27 @@ _CHECKS: Tuple[Tuple[str, Check], ...] = (
     ("sides", sides),
     ("endpoints", endpoints),
     ("clock", clock),
-    ("real time", realtime),
-    ("real time", care),
+    ("realtime", realtime),
+    ("realtime", care),
 )
 _COLUMN = 15
 _PAINT = {Level.OK: "green", Level.NOTE: "yellow", Level.PROBLEM: "red"}
 
 
 def add_options(parser: argparse.ArgumentParser) -> None:
-    parser.add_argument("--json", action="store_true", help="one JSON document, for programs")
+    names = list(dict.fromkeys(name for name, _ in _CHECKS))
+    parser.add_argument("checks", nargs="*", metavar="CHECK",
+                        help=f"only these: {', '.join(names)} (all)")
+    parser.add_argument("--json", action="store_true",
+                        help="one JSON document: healthy, findings (check, level, what, advice)")
 
 
 def doctor(options: argparse.Namespace, places: Places) -> int:
-    """1 if a problem was found; UsageError for a profile that is not there."""
+    """1 if a problem was found; UsageError for a check or a profile that is not there."""
+    checks = _chosen(options.checks)
     subject = Subject(options, places)
     found = []
-    for name, finding in _findings(subject):
+    for name, finding in _findings(checks, subject):
         found.append((name, finding))
         if not options.json:
             _print(name, finding)
@@ -66,8 +72,18 @@ def doctor(options: argparse.Namespace, places: Places) -> int:
     return EXIT_FAILURE if problems else EXIT_OK
 
 
-def _findings(subject: Subject) -> Iterator[Tuple[str, Finding]]:
-    for name, check in _CHECKS:
+def _chosen(names: Sequence[str]) -> Sequence[Tuple[str, Check]]:
+    known = [name for name, _ in _CHECKS]
+    for name in names:
+        if name not in known:
+            raise UsageError(f"doctor knows no check '{name}'{did_you_mean(name, known)}; it has "
+                             f"{', '.join(dict.fromkeys(known))}")
+    return [(name, check) for name, check in _CHECKS if not names or name in names]
+
+
+def _findings(checks: Sequence[Tuple[str, Check]],
+              subject: Subject) -> Iterator[Tuple[str, Finding]]:
+    for name, check in checks:
         with _Progress(name):
             findings = check(subject)
         for finding in findings:

@@ -7,7 +7,8 @@ namespace scarab::test {
 Stack::Stack(const std::filesystem::path& directory, const Options& options)
     : directory_(directory),
       robot_(options.robot),
-      expect_("logger=1,plant=1,supervisor=1,premotor=" + std::to_string(options.premotors)) {
+      expect_("logger=" + std::to_string(options.witness ? 2 : 1) +
+              ",plant=1,supervisor=1,premotor=" + std::to_string(options.premotors)) {
   std::filesystem::create_directories(directory_);
   for (const auto* name : {"logger", "plant", "supervisor"}) {
     services_.emplace(Key{name, 0}, launch({name, 0}));

@@ -13,6 +13,7 @@ class Stack {
  public:
   struct Options {
     unsigned premotors = 1;
+    bool witness = false;  ///< a Witness of the test takes part
     std::string robot = "beetle";
   };
 
