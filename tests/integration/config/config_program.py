@@ -3,6 +3,7 @@
 import json
 import os
 import subprocess
+import sys
 from pathlib import Path
 
 import yaml
@@ -12,11 +13,12 @@ CONFIG = SOURCE_ROOT / "config"
 SCHEMAS = CONFIG / "schema"
 SHIPPED = sorted(CONFIG.glob("*/*.yaml"))
 REGENERATE = "run: scarab-config schema --all config/schema"
+PROGRAM = os.environ.get("SCARAB_CONFIG") or sys.exit("needs SCARAB_CONFIG=build/release/bin/scarab-config; ctest sets it")
 
 
 def scarab_config(*arguments, folder=SOURCE_ROOT):
-    """Exit code, standard output, standard error. The program comes from the environment: SCARAB_CONFIG."""
-    done = subprocess.run([os.environ["SCARAB_CONFIG"], *map(str, arguments)], cwd=folder, capture_output=True,
+    """Exit code, standard output, standard error."""
+    done = subprocess.run([PROGRAM, *map(str, arguments)], cwd=folder, capture_output=True,
                           text=True, timeout=60)
     return done.returncode, done.stdout, done.stderr
 
