@@ -164,8 +164,8 @@ def _experiment(options: argparse.Namespace, places: Places, bus: Bus, expected:
     finally:
         fault_file.unlink(missing_ok=True)
     if keeper.ended:
-        raise Failure(f"the keeper of the stack ended in the middle of the run; see "
-                      f"{shown(directory.log_of('launcher'))}")
+        raise Failure("the stack was stopped in the middle of the run, or its keeper has died; see "
+                      "`deploy/scarab logs launcher`")
     if code < 0:
         raise Failure(f"scarab-experiment was ended by signal {-code}")
     return code

@@ -87,7 +87,9 @@ def status():
             lambda: all(up_file(f"scarab-{s}").exists() for s in services),
             float(value_of("--timeout", "1"))):
         return 0
-    print("missing: premotor")
+    print("a table")
+    missing = [s for s in services if not up_file(f"scarab-{s}").exists()] or ["premotor"]
+    print(f"scarab-status: {', '.join(missing)} is missing", file=sys.stderr)
     return 1
 
 
@@ -97,9 +99,14 @@ def experiment():
     journal("start")
     print("progress", flush=True)
     (FOLDER / "trial-runs").write_text("")
-    while order("hold") and not stopped:
+    fault = Path(value_of("--fault-file"))
+    while order("hold") and not stopped and not fault.exists():
         time.sleep(0.01)
     (FOLDER / "trial-runs").unlink(missing_ok=True)
+    (FOLDER / "scarab-experiment.command").write_text("\n".join(sys.argv[1:]))
+    if fault.exists():
+        print("result: failure:", fault.read_text(), flush=True)
+        return 1
     if stopped:
         journal("stop")
         return 130
@@ -115,7 +122,7 @@ def main():
             return 2
         return 0
     if "--dump-config" in sys.argv:
-        print("resolved: true")
+        print("strategies: {soft: {}, soft+hard: {}}" if NAME == "scarab-supervisor" else "resolved: true")
         return 0
     if NAME == "scarab-status":
         return status()

@@ -13,8 +13,8 @@ from pathlib import Path
 SOURCE_ROOT = Path(__file__).resolve().parents[3]
 SCARAB = SOURCE_ROOT / "deploy" / "scarab"
 PATIENCE_S = 30.0
-PROGRAMS = ("scarab-logger", "scarab-plant", "scarab-premotor", "scarab-status",
-            "scarab-experiment", "scarab-log")
+PROGRAMS = ("scarab-logger", "scarab-plant", "scarab-premotor", "scarab-supervisor",
+            "scarab-status", "scarab-experiment", "scarab-log")
 
 sys.path.insert(0, str(SOURCE_ROOT / "deploy"))
 
@@ -25,7 +25,7 @@ timing: {ready_s: 20}
 restart: {first_s: 0.01, longest_s: 0.05, forget_s: 30}
 services:
   logger: {binary: scarab-logger, instances: 1, restart: always, stop_s: 20}
-  plant: {binary: scarab-plant, instances: 1, restart: between_trials, stop_s: 20}
+  plant: {binary: scarab-plant, instances: 1, restart: between_trials, stop_s: 20, tick_master: true}
   premotor: {binary: scarab-premotor, instances: 1, restart: always, stop_s: 20}
 profiles:
   sim: {services: [logger, plant, premotor]}
@@ -81,6 +81,11 @@ class FakeStackTest(unittest.TestCase):
 
     def scarab(self, verb, *words):
         return self.finish(self.start(verb, *words))
+
+    def command_of(self, program):
+        """The options a program was started with last: {name: value}."""
+        words = (self.bin / f"{program}.command").read_text().splitlines()
+        return dict(zip(words, words[1:]))
 
     def journal(self):
         """[(what, program)], in the order of happening."""

@@ -7,7 +7,7 @@ from concurrent.futures import ThreadPoolExecutor
 from pathlib import Path
 
 import fake_stack  # noqa: F401  puts the launcher on the path
-from launcher.back_off import BackOff
+from launcher.back_off import LOOP_AFTER, BackOff
 from launcher.domain_claim import DomainClaim, claim_domain
 from launcher.failure import Failure
 from launcher.restart_rule import must_wait, restart_allowed
@@ -26,6 +26,24 @@ class BackOffTest(unittest.TestCase):
     def test_starts_over_after_a_long_good_run(self):
         back_off = BackOff(BackOffTimes(0.1, 5, 30))
         self.assertEqual([back_off.crashed(t) for t in (0, 0, 30)], [0.1, 0.2, 0.1])
+        self.assertEqual((back_off.restarts, back_off.in_a_row), (3, 1))
+
+    def test_counts_crashes_in_a_row_and_forgets_them(self):
+        back_off = BackOff(BackOffTimes(0.1, 5, 30))
+        self.assertFalse(back_off.runs_well(100))  # there is nothing to forget
+        for _ in range(LOOP_AFTER):
+            self.assertFalse(back_off.looping)
+            back_off.crashed(1.0)
+        self.assertTrue(back_off.looping)
+        self.assertFalse(back_off.runs_well(29))
+        self.assertEqual(back_off.time_to_forget(29), 1)
+        self.assertTrue(back_off.runs_well(30))
+        self.assertFalse(back_off.looping)
+        self.assertEqual(back_off.restarts, LOOP_AFTER)
+
+    def test_days_of_crashes_are_no_trouble(self):
+        back_off = BackOff(BackOffTimes(0.1, 5, 30))
+        self.assertEqual([back_off.crashed(0) for _ in range(5000)][-1], 5)
 
 
 class RunDirectoryTest(unittest.TestCase):

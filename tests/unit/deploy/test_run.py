@@ -84,7 +84,7 @@ class Run(FakeStackTest):
         self.order("scarab-status", "never-ready")
         code, _, err = self.scarab("run")
         self.assertEqual(code, 1)
-        self.assertIn("missing: premotor", err)
+        self.assertIn("premotor is missing", err)
         self.assertEqual(self.living(), [])
 
     def test_deaf_service_is_killed_and_named(self):
