@@ -13,7 +13,7 @@ CONFIG = SOURCE_ROOT / "config"
 SCHEMAS = CONFIG / "schema"
 SHIPPED = sorted(CONFIG.glob("*/*.yaml"))
 REGENERATE = "run: scarab-config schema --all config/schema"
-PROGRAM = os.environ.get("SCARAB_CONFIG") or sys.exit("needs SCARAB_CONFIG=build/release/bin/scarab-config; ctest sets it")
+PROGRAM = os.environ.get("SCARAB_CONFIG") or sys.exit("SCARAB_CONFIG must name the program, as ctest does")
 
 
 def scarab_config(*arguments, folder=SOURCE_ROOT):

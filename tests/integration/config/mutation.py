@@ -83,25 +83,30 @@ def of_wrong_size(content, schema):
             yield Mutant(path, "one too many", _changed(content, path, value + value[-1:]))
 
 
-def out_of_range(content, schema):
-    """Numbers, and each number of a list, just outside their limits; of an enumeration, no name of it."""
-    for path, value in places(content):
+def with_other_name(content, schema):
+    """In place of a name of an enumeration, none of it."""
+    for path, _ in places(content):
         part = schema_at(schema, path)
         if "enum" in part:
             yield Mutant(path, "no such name", _changed(content, path, "nonsense"))
-        if isinstance(value, list):
-            for bad in _beyond(part["items"]):
-                yield Mutant(path, f"{bad} in it", _changed(content, path, [bad] * len(value)))
-        else:
-            for bad in _beyond(part):
-                yield Mutant(path, str(bad), _changed(content, path, bad))
+        elif "enum" in part.get("items", {}):
+            yield Mutant(path, "no such name", _changed(content, path, ["nonsense"]))
 
 
-def _beyond(part):
-    step = 1 if part.get("type") == "integer" else 1e-3
-    if "minimum" in part:
-        yield part["minimum"] - step
-    if "exclusiveMinimum" in part:
-        yield part["exclusiveMinimum"]
-    if "maximum" in part:
-        yield part["maximum"] + step
+def with_other_number(content, schema):
+    """In place of each number, and of all numbers of a list: others on all sides of what limits there may be."""
+    for path, value in places(content):
+        part = schema_at(schema, path)
+        is_list = isinstance(value, list)
+        for number in _probes(part["items"] if is_list else part):
+            yield Mutant(path, str(number), _changed(content, path, [number] * len(value) if is_list else number))
+
+
+def _probes(part):
+    """Whatever the schema says, so that a limit it has forgotten is found, and around the limits that it knows."""
+    step = {"integer": 1, "number": 1e-3}.get(part.get("type"))
+    if step is None:
+        return []
+    limits = [part[word] for word in ("minimum", "exclusiveMinimum", "maximum") if word in part]
+    around = [limit + side * step for limit in limits for side in (-1, 0, 1)]
+    return sorted({int(number) if step == 1 else float(number) for number in [-10**9, -1, 0, 1, 10**9, *around]})

@@ -60,7 +60,8 @@ class Tool(unittest.TestCase):
             self.assertEqual(scarab_config("dump", dumped)[1], out)
 
     def test_dump_resolves_what_a_file_extends(self):
-        stiff = self.write("robot/stiff.yaml", f"extends: {BEETLE}\nservos: {{leg: {{kp_nm_rad: 30}}}}\nbackbone: absent\n")
+        stiff = self.write("robot/stiff.yaml", f"extends: {BEETLE}\n"
+                           "servos: {leg: {kp_nm_rad: 30}}\nbackbone: absent\n")
         before, after = read_yaml(BEETLE.read_text()), read_yaml(scarab_config("dump", stiff)[1])
         before["servos"]["leg"]["kp_nm_rad"] = 30
         before["backbone"] = "absent"
