@@ -140,8 +140,8 @@ void TickMaster::move_body() {
     publish_state(true);
   });
   if (!real_time()) return;
-  await_until(pacer_.end());
   pacer_.tick_ends(Clock::now());
+  await_until(pacer_.due());
 }
 
 void TickMaster::publish_state(bool between_ticks) {
