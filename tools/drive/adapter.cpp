@@ -1,0 +1,100 @@
+#include "tools/drive/adapter.hpp"
+
+#include <algorithm>
+#include <iterator>
+
+#include "common/bus/sample_fields.hpp"
+#include "services/supervisor/core/mode.hpp"
+#include "tools/drive/names.hpp"
+
+namespace scarab::drive {
+namespace {
+
+using runtime::ServiceReport;
+
+const std::string kRefused = "commands_refused_";
+const std::string kClamped = "targets_clamped_";
+
+bool begins_with(const std::string& text, const std::string& start) {
+  return text.compare(0, start.size(), start) == 0;
+}
+
+Concern concern_of(scarab_Health health) {
+  switch (health) {
+    case scarab_HEALTH_OK:
+      return Concern::kNone;
+    case scarab_HEALTH_WAITING:
+      return Concern::kWaits;
+    case scarab_HEALTH_DEGRADED:
+      return Concern::kDegraded;
+    case scarab_HEALTH_FAULT:
+      return Concern::kFault;
+  }
+  return Concern::kFault;
+}
+
+const runtime::Histogram& histogram(const ServiceReport& report, const std::string& name) {
+  static const runtime::Histogram none;
+  const auto entry = report.histograms.find(name);
+  return entry == report.histograms.end() ? none : entry->second;
+}
+
+void see_tick_master(Live& live, const ServiceReport& report) {
+  constexpr double kNearlyAll = 0.99;
+  live.tick_master_says = report.message;
+  live.trial_runs = report.lifecycle == scarab_LIFECYCLE_ACTIVE;
+  live.safe_stop = begins_with(report.message, "safe stop");
+  for (const auto& [name, count] : report.counters) {
+    if (begins_with(name, kClamped)) live.clamped += count;
+    if (begins_with(name, kRefused) && count > 0) {
+      live.refused.emplace_back(name.substr(kRefused.size()), count);
+    }
+  }
+  const auto& jitter = histogram(report, "tick_jitter");
+  const auto& age = histogram(report, "command_age");
+  live.timing = {jitter.quantile_s(kNearlyAll), jitter.max_s(), age.quantile_s(kNearlyAll),
+                 age.max_s()};
+}
+
+}  // namespace
+
+void see(Live& live, const scarab_RobotState& state) {
+  live.trial = state.header.trial;
+  live.tick = state.header.tick;
+  live.time_s = static_cast<double>(state.header.sim_time_ns) * 1e-9;
+  live.real_time = state.real_time;
+  live.phase = name(state.phase);
+  for (std::size_t slot = 0; slot < robot::kJointCount; ++slot) {
+    live.position_rad[slot] = state.position_rad[slot];
+    live.has_joint[slot] = state.position_source[slot] != scarab_SOURCE_ABSENT;
+  }
+}
+
+void see(Live& live, const scarab_Behaviour& behaviour) {
+  live.state = name(behaviour.state);
+  live.reason = bus::text(behaviour.reason);
+  live.mode = supervisor::name(static_cast<supervisor::Mode>(behaviour.mode));
+  std::copy(std::begin(behaviour.inputs), std::end(behaviour.inputs), live.inputs.begin());
+  live.bs_rad = behaviour.bs_rad;
+  live.bs_threshold_rad = behaviour.bs_threshold_rad;
+  live.as_rad = behaviour.as_rad;
+  live.as_threshold_rad = behaviour.as_threshold_rad;
+}
+
+void see(Live& live, const runtime::StatusBoard& board, const std::string& tick_master) {
+  live.tick_master = tick_master;
+  live.tick_master_says.clear();
+  live.trial_runs = live.safe_stop = false;
+  live.refused.clear();
+  live.clamped = 0;
+  live.timing = {};
+  live.services.clear();
+  for (const auto& [peer, report] : board.reports()) {
+    const std::string who = bus::to_string(peer);
+    live.services.push_back(
+        {who, name(report.lifecycle), concern_of(report.health), report.message});
+    if (who == tick_master) see_tick_master(live, report);
+  }
+}
+
+}  // namespace scarab::drive

@@ -1,0 +1,59 @@
+#include "tools/drive/names.hpp"
+
+namespace scarab::drive {
+
+const char* name(scarab_TrialPhase phase) {
+  switch (phase) {
+    case scarab_PHASE_RUNNING:
+      return "running";
+    case scarab_PHASE_SAFE_STOP:
+      return "safe stop";
+    case scarab_PHASE_HOMING:
+      return "homing";
+    case scarab_PHASE_SUCCEEDED:
+      return "succeeded";
+    case scarab_PHASE_FAILED:
+      return "failed";
+  }
+  return "unknown";
+}
+
+const char* name(scarab_BehaviourState state) {
+  switch (state) {
+    case scarab_BEHAVIOUR_IDLE:
+      return "idle";
+    case scarab_BEHAVIOUR_APPROACH:
+      return "approach";
+    case scarab_BEHAVIOUR_CLIMB:
+      return "climb";
+    case scarab_BEHAVIOUR_MODE_1:
+      return "mode 1";
+    case scarab_BEHAVIOUR_MODE_2:
+      return "mode 2";
+    case scarab_BEHAVIOUR_DONE:
+      return "done";
+    case scarab_BEHAVIOUR_FAILED:
+      return "failed";
+    case scarab_BEHAVIOUR_SAFE_STOP:
+      return "safe stop";
+    case scarab_BEHAVIOUR_MANUAL:
+      return "manual";
+  }
+  return "unknown";
+}
+
+const char* name(scarab_Lifecycle lifecycle) {
+  switch (lifecycle) {
+    case scarab_LIFECYCLE_UNCONFIGURED:
+      return "starting";
+    case scarab_LIFECYCLE_INACTIVE:
+      return "inactive";
+    case scarab_LIFECYCLE_ACTIVE:
+      return "active";
+    case scarab_LIFECYCLE_FINALISED:
+      return "ended";
+  }
+  return "unknown";
+}
+
+}  // namespace scarab::drive
