@@ -19,7 +19,7 @@ template <Quantity kQuantity>
 struct SensorConfig : SensorErrors {};
 
 struct SensorsConfig {
-  SensorConfig<Quantity::kAngle> joint_position;              ///< each joint's encoder
+  SensorConfig<Quantity::kAngle> joint_position;              ///< the encoder of each servo
   SensorConfig<Quantity::kAngularVelocity> joint_velocity;    ///< each servo's own estimate
   SensorConfig<Quantity::kTorque> joint_torque;               ///< each servo's, from its current
   SensorConfig<Quantity::kForce> foot_force;                  ///< each foot's sensor

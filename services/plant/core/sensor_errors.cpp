@@ -24,7 +24,7 @@ SensorErrorModel::SensorErrorModel(const SensorErrors& errors, std::string_view 
 
 double SensorErrorModel::reading(double truth, std::size_t element, std::uint64_t sample) const {
   double out = truth;
-  if (errors_.bias > 0) out += errors_.bias * random::gaussian(seed_, bias_stream_ + element, 0);
+  if (errors_.bias > 0) out += bias(element);
   if (errors_.noise > 0) {
     out += errors_.noise * random::gaussian(seed_, noise_stream_ + element, sample);
   }
@@ -32,6 +32,10 @@ double SensorErrorModel::reading(double truth, std::size_t element, std::uint64_
     out = errors_.quantum * std::round(out / errors_.quantum) + 0.0;  // + 0.0: never -0
   }
   return out;
+}
+
+double SensorErrorModel::bias(std::size_t element) const {
+  return errors_.bias * random::gaussian(seed_, bias_stream_ + element, 0);
 }
 
 bool SensorErrorModel::lost(std::size_t element, std::uint64_t sample) const {

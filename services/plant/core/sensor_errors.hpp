@@ -24,6 +24,9 @@ class SensorErrorModel {
   /// What the element reads for `truth`. Without errors it is `truth`, to the bit.
   [[nodiscard]] double reading(double truth, std::size_t element, std::uint64_t sample) const;
 
+  /// The element's constant offset b_i in this trial.
+  [[nodiscard]] double bias(std::size_t element) const;
+
   /// Whether that sample never arrived. Sample 0 always does: a reading exists before a trial
   /// starts.
   [[nodiscard]] bool lost(std::size_t element, std::uint64_t sample) const;

@@ -48,6 +48,14 @@ void SensorReadings::sample_together(const Sensor& sensor,
   }
 }
 
+robot::JointVector SensorReadings::encoder_offset_rad() const {
+  robot::JointVector out{};
+  for (std::size_t j = 0; j < out.size(); ++j) {
+    if (present_[j]) out[j] = joint_position_.model.bias(j);
+  }
+  return out;
+}
+
 void SensorReadings::sample(std::uint64_t n) {
   sample_each(joint_position_, &Observation::position_rad, n);
   sample_each(joint_velocity_, &Observation::velocity_rad_s, n);

@@ -40,6 +40,10 @@ class SensorReadings {
   /// Takes sample `n`, at the time of the truth seen last. Samples are taken in order, from 0.
   void sample(std::uint64_t n);
 
+  /// How far each joint's encoder reads beyond the joint's angle, constant in a trial. A servo that
+  /// closes its loop on this encoder turns the joint to its target minus this.
+  [[nodiscard]] robot::JointVector encoder_offset_rad() const;
+
   /// The newest sample. Absent joints read 0.
   [[nodiscard]] const Observation& newest() const { return newest_; }
 

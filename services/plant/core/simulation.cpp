@@ -61,8 +61,9 @@ class Simulation::Impl {
         stepper_(morphology_, config, wall_),
         state_(start_state(morphology_, config, perturbation(trial))),
         reference_(state_.joint_rad),
-        commands_(config.commands, trial.seed, timing_.step_ns, start_targets(config.start)),
-        sensors_(config.sensors, presence(morphology_), trial.seed, timing_.step_ns) {
+        sensors_(config.sensors, presence(morphology_), trial.seed, timing_.step_ns),
+        encoder_offset_rad_(sensors_.encoder_offset_rad()),
+        commands_(config.commands, trial.seed, timing_.step_ns, start_targets(config.start)) {
     settle();
     sensors_.see(measured());
     sensors_.sample(0);
@@ -129,7 +130,9 @@ class Simulation::Impl {
     sensors_.sample(++sample_);
   }
 
-  void step(const robot::JointVector& targets) {
+  /// The servos turn the joints until their encoders read `targets`.
+  void step(robot::JointVector targets) {
+    for (std::size_t j = 0; j < targets.size(); ++j) targets[j] -= encoder_offset_rad_[j];
     stepper_.step(targets, step_s_, reference_, state_);
     if (!state_.speed.allFinite()) {
       throw std::runtime_error("the plant's motion is no longer finite after " +
@@ -147,8 +150,9 @@ class Simulation::Impl {
   Stepper stepper_;
   MotionState state_;
   robot::JointVector reference_;
-  CommandDelay commands_;
   SensorReadings sensors_;
+  robot::JointVector encoder_offset_rad_;
+  CommandDelay commands_;
   double object_start_x_ = 0;
   std::int64_t time_ns_ = 0;
   std::int64_t step_ = 0;     // of the trial; like time_ns_ from the end of the settling

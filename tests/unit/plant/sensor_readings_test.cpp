@@ -191,6 +191,22 @@ TEST(SensorReadings, AbsentJointsReadZero) {
   EXPECT_NE(readings.newest().position_rad[0], 0);
 }
 
+TEST(SensorReadings, AnEncodersOffsetIsWhatItReadsTooMuch) {
+  JointPresence present = all_present();
+  present[robot::kBackboneSlot] = false;
+  SensorsConfig config;
+  config.joint_position.bias = 0.01;
+  SensorReadings readings(config, present, 1, kStepNs);
+  readings.see(constant(1));
+  readings.sample(0);
+  const robot::JointVector offset = readings.encoder_offset_rad();
+  EXPECT_EQ(offset[robot::kBackboneSlot], 0);
+  for (std::size_t j = 0; j < robot::kBackboneSlot; ++j) {
+    EXPECT_NE(offset[j], 0);
+    EXPECT_DOUBLE_EQ(readings.newest().position_rad[j], 1 + offset[j]);
+  }
+}
+
 TEST(SensorReadings, EveryStepIsNeededForALatencyOnly) {
   SensorsConfig config;
   config.joint_position = {{0.1, 0.1, 0.1, 0, 0.1}};

@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "services/plant/core/scene.hpp"
+#include "services/plant/core/sensor_readings.hpp"
 #include "services/plant/core/simulation.hpp"
 #include "tests/unit/plant/rig.hpp"
 
@@ -69,6 +70,34 @@ TEST(Sensors, ErrorsDoNotTouchThePhysics) {
   }
   EXPECT_EQ(clean.truth().trunk.position_m, disturbed.truth().trunk.position_m);
   EXPECT_NE(clean.observe().position_rad, disturbed.observe().position_rad);
+}
+
+/// A servo cannot know that its encoder is off: it turns the joint until the encoder reads the
+/// target, so the error is in the pose and not in the reading.
+TEST(Sensors, AnEncodersOffsetMovesTheJointAndNotTheReading) {
+  PlantConfig off_config = testing::default_config();
+  off_config.sensors.joint_position.bias = 0.02;
+  const auto still = [](PlantConfig config) {
+    config.start.settle_s = 3;
+    return Simulation(testing::beetle(), config, {}).observe();
+  };
+  const Observation clean = still(testing::default_config()), off = still(off_config);
+  const JointPresence present = [] {
+    JointPresence all{};
+    all.fill(true);
+    return all;
+  }();
+  const robot::JointVector offset =
+      SensorReadings(off_config.sensors, present, 0, 2'000'000).encoder_offset_rad();
+  double reading_moved = 0, joint_moved = 0, bias = 0;
+  for (std::size_t j = 0; j < robot::kJointCount; ++j) {
+    const double change = off.position_rad[j] - clean.position_rad[j];
+    reading_moved += change * change;
+    joint_moved += (change - offset[j]) * (change - offset[j]);
+    bias += offset[j] * offset[j];
+  }
+  EXPECT_GT(std::sqrt(joint_moved / bias), 0.7);
+  EXPECT_LT(std::sqrt(reading_moved / bias), 0.5) << "what is left: the feet share the load anew";
 }
 
 TEST(Sensors, ReadTheSameHoweverOftenTheyAreAsked) {
