@@ -67,7 +67,7 @@ Found latency_budget(const dds_qos_t& offered, const dds_qos_t& asked) {
 Found liveliness(const dds_qos_t& offered, const dds_qos_t& asked) {
   struct Liveliness {
     explicit Liveliness(const dds_qos_t& qos) { dds_qget_liveliness(&qos, &kind, &lease); }
-    std::string text() const { return to_text(kind) + " " + duration_text(lease); }
+    std::string text() const { return to_text(kind) + ", lease " + duration_text(lease); }
     dds_liveliness_kind_t kind = DDS_LIVELINESS_AUTOMATIC;
     dds_duration_t lease = DDS_INFINITY;
   };

@@ -20,15 +20,17 @@ std::vector<std::string> lines_of(const std::string& text) {
   return lines;
 }
 
-/// The first line of `text` that `other` does not have, without indentation.
-std::string first_difference(const std::string& text, const std::string& other) {
+/// `one with "double speed"`: the first member of `text` that `other` does not have.
+std::string own_member(const std::string& text, const std::string& other) {
   const auto others = lines_of(other);
   const std::set<std::string> known(others.begin(), others.end());
   for (const std::string& line : lines_of(text)) {
     const std::size_t start = line.find_first_not_of(' ');
-    if (known.count(line) == 0 && start != std::string::npos) return line.substr(start);
+    const std::size_t end = line.find(';');
+    if (start == std::string::npos || end == std::string::npos || line[start] == '}') continue;
+    if (known.count(line) == 0) return "one with \"" + line.substr(start, end - start) + '"';
   }
-  return "nothing of that";
+  return "one without that";
 }
 
 /// Two programs of different versions: the same name, not the same fields.

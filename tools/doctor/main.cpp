@@ -13,10 +13,15 @@ int main(int argc, char** argv) {
       "scarab-doctor"};
   runtime::BusOptions options;
   double timeout_s = 1.0;
+  std::uint32_t participants = 1;
   runtime::add_bus_options(app, options);
   app.add_option("--timeout", timeout_s, "s to look for somebody at most")
       ->capture_default_str()
       ->check(CLI::Range(0.01, 3600.0));
+  app.add_option("--participants", participants,
+                 "look on until so many have been seen, and nothing is new")
+      ->capture_default_str()
+      ->check(CLI::Range(0U, 10000U));
   app.footer(
       "Example:\n"
       "  scarab-doctor --domain 0 --interface eth0\n"
@@ -25,7 +30,7 @@ int main(int argc, char** argv) {
 
   return runtime::run_program(app, argc, argv, [&] {
     const runtime::SignalBlock signals;
-    return doctor::look(options,
-                        std::chrono::milliseconds(static_cast<std::int64_t>(timeout_s * 1000.0)));
+    const std::chrono::milliseconds timeout(static_cast<std::int64_t>(timeout_s * 1000.0));
+    return doctor::look(options, timeout, participants);
   });
 }

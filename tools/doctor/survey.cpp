@@ -53,7 +53,8 @@ class TypeTexts {
 
 }  // namespace
 
-int look(const runtime::BusOptions& options, std::chrono::milliseconds limit) {
+int look(const runtime::BusOptions& options, std::chrono::milliseconds limit,
+         std::size_t at_least) {
   bus::Participant participant(options.participant("doctor", 0));
   bus::Discovery discovery(participant);
   bus::Participants participants(participant);
@@ -66,14 +67,13 @@ int look(const runtime::BusOptions& options, std::chrono::milliseconds limit) {
   const auto end = Clock::now() + limit;
   Survey survey;
   while (!shutdown.requested() && Clock::now() < end) {
-    // While there is nobody at all, somebody may still be about to answer.
     const Clock::duration left = end - Clock::now();
-    const bool news =
-        wait_set.wait(survey.participants.empty() ? left : std::min<Clock::duration>(left, kQuiet));
+    const bool enough = survey.participants.size() >= at_least;
+    const bool news = wait_set.wait(enough ? std::min<Clock::duration>(left, kQuiet) : left);
     discovery.update();
     participants.update();
     survey = seen_by(participants, discovery);
-    if (!news) break;
+    if (enough && !news) break;
   }
   if (shutdown.requested()) return runtime::kExitInterrupted;
   TypeTexts types(discovery);

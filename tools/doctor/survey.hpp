@@ -33,9 +33,10 @@ std::vector<Fault> faults(
     const Survey& survey,
     const std::function<std::string(const bus::DiscoveredEndpoint&)>& type_text);
 
-/// Looks around until nothing new is announced for a moment, at most `limit`, and prints what it
-/// saw as JSON. Needs a runtime::SignalBlock made before; returns the exit code.
-int look(const runtime::BusOptions& options, std::chrono::milliseconds limit);
+/// Looks around until nothing new is announced for a moment and `at_least` participants have been
+/// seen, at most `limit`, and prints what it saw as JSON. Needs a runtime::SignalBlock made before;
+/// returns the exit code.
+int look(const runtime::BusOptions& options, std::chrono::milliseconds limit, std::size_t at_least);
 
 /// The survey and its faults as one JSON document; see README.md.
 std::string json(const Survey& survey, const std::vector<Fault>& faults);

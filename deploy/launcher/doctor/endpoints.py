@@ -4,6 +4,7 @@ from typing import Dict, List
 
 from .finding import Finding, note, ok, problem
 from .subject import Subject
+from .survey import who
 
 _STRONGER = "Let the writer offer {asked}, or the reader ask for {offered} only."
 _SAME = "Give both the same {policy}: {offered}, or {asked}."
@@ -37,17 +38,8 @@ def endpoints(subject: Subject) -> List[Finding]:
 
 def _mismatch(mismatch: dict) -> Finding:
     policy = mismatch["policy"]
-    what = (f"{mismatch['topic']}: {_who(mismatch['writer'])} writes and "
-            f"{_who(mismatch['reader'])} reads it, but their {policy} differs: offered is "
+    what = (f"{mismatch['topic']}: {who(mismatch['writer'])} writes and "
+            f"{who(mismatch['reader'])} reads it, but their {policy} differs: offered is "
             f"{mismatch['offered']}, asked for is {mismatch['asked']}")
     return problem(what, _ADVICE.get(policy, _SAME).format(**mismatch))
 
-
-def _who(endpoint: dict) -> str:
-    """`premotor/0 (scarab-premotor, pid 12 on beetle)`; other vendors tell less."""
-    process = endpoint["process"] or "a program that does not tell its name"
-    if endpoint["pid"]:
-        process += f", pid {endpoint['pid']}"
-    if endpoint["host"]:
-        process += f" on {endpoint['host']}"
-    return f"{endpoint['service']} ({process})" if endpoint["service"] else process

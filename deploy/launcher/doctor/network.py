@@ -13,13 +13,19 @@ from .subject import Subject
 
 _GROUP = "239.255.0.1"  # of DDS discovery (RTPS 2.5, 9.6.2.4); the port is one of our own
 _PATIENCE_S = 0.5
+_LOOPBACK = "lo"
 
 
 def network(subject: Subject) -> List[Finding]:
     """Of each interface that a running stack has, or that the stack file names."""
     by_name = {bus.interface: bus for bus in subject.buses}
-    return [finding for name, bus in by_name.items()
-            for finding in _interface(subject, name, bool(bus.peers))]
+    found = [finding for name, bus in by_name.items()
+             for finding in _interface(subject, name, bool(bus.peers))]
+    if _LOOPBACK not in by_name and not (flags_of(_LOOPBACK) or 0) & UP:
+        found.append(problem(
+            f"interface '{_LOOPBACK}' is down: this machine cannot reach its own addresses, so that "
+            "programs on it neither meet nor end", f"As root: ip link set {_LOOPBACK} up"))
+    return found
 
 
 def _interface(subject: Subject, name: str, has_peers: bool) -> List[Finding]:

@@ -7,6 +7,7 @@ from .finding import Finding, note, ok, problem
 from .ports import DdsProcess
 from .sockets import unix_socket_inode
 from .subject import Subject
+from .survey import who
 
 _TOPICS = "scarab/"
 
@@ -75,8 +76,8 @@ def _other_hosts(subject: Subject, bus: Bus) -> List[Finding]:
             speaks = any(topic.startswith(_TOPICS) for topic in other["topics"])
             if remote and speaks and (other["host"], other["pid"]) not in here:
                 found.append(problem(
-                    f"{other['service'] or other['process']} (pid {other['pid']} on {other['host']}) "
-                    f"is seen by interface {seen.bus.interface}, the stack is on {bus.interface}: "
-                    "they do not meet",
-                    f"Set bus.interface in the stack file to {seen.bus.interface}."))
+                    f"{who(other)} is seen by interface {seen.bus.interface}, the stack is on "
+                    f"{bus.interface}: they do not meet",
+                    f"Start the stack with --interface {seen.bus.interface}, or set bus.interface in "
+                    "the stack file."))
     return found

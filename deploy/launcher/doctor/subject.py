@@ -3,7 +3,7 @@
 import argparse
 import functools
 import socket
-from typing import Dict, List, Optional, Sequence
+from typing import Dict, Iterator, List, Optional, Sequence
 
 from ..failure import ConfigError
 from ..places import Places
@@ -68,18 +68,28 @@ class Subject:
 
     @functools.cached_property
     def _surveys(self) -> Dict[Bus, Seen]:
-        domains = {p.domain for p in self.dds_processes}
-        wanted: Dict[Bus, None] = {}  # a set that keeps its order
+        wanted = {bus: self._participants_on(bus) for bus in self._places_to_look()}
+        return survey(self.places, wanted, [s.bus for s in self.running])
+
+    def _places_to_look(self) -> Iterator[Bus]:
+        """The stacks' own, the same by other interfaces, and where else DDS programs of this host are."""
+        inhabited = {p.domain for p in self.dds_processes}
         for bus in self.buses:
-            if bus.domain in domains or not _is_loopback(bus.interface):
-                wanted[bus] = None
-            for interface in usable_interfaces()[:_MOST_INTERFACES] if domains else ():
-                wanted[_moved(bus, bus.domain, interface)] = None
+            if bus.domain in inhabited or not _is_loopback(bus.interface):
+                yield bus
+            for interface in usable_interfaces()[:_MOST_INTERFACES] if inhabited else ():
+                yield _moved(bus, bus.domain, interface)
+        ours = {bus.domain for bus in self.buses}
         for process in self.dds_processes:
-            if process.domain not in {bus.domain for bus in self.buses}:
+            if process.domain not in ours:
                 for interface in sorted(process.interfaces) or [self.buses[0].interface]:
-                    wanted[_moved(self.buses[0], process.domain, interface)] = None
-        return survey(self.places, list(wanted), [s.bus for s in self.running])
+                    yield _moved(self.buses[0], process.domain, interface)
+
+    def _participants_on(self, bus: Bus) -> int:
+        """How many there must be at least, as the ports of this host tell."""
+        here = [p.participants for p in self.dds_processes
+                if p.domain == bus.domain and bus.interface in p.interfaces]
+        return max(1, sum(here))
 
     def _planned_bus(self) -> Bus:
         domain = _UNTOLD_DOMAIN if self.options.domain is None else self.options.domain

@@ -10,7 +10,7 @@ from ..places import Places
 from ..spawn import clean_environment
 from ..stack import Bus
 
-_LOOK_S = 1.0
+_LOOK_S = 1.5
 _PATIENCE_S = 20.0
 
 
@@ -25,16 +25,19 @@ class Seen:
     fault: str = ""
 
 
-def survey(places: Places, buses: Sequence[Bus], with_services: Sequence[Bus]) -> Dict[Bus, Seen]:
-    """Looks at all buses; also asks the services of those in `with_services` for their status."""
+def survey(places: Places, buses: Dict[Bus, int], with_services: Sequence[Bus]) -> Dict[Bus, Seen]:
+    """Looks at all buses, each with the number of participants that must be there; also asks the
+    services of those in `with_services` for their status."""
     if not buses:
         return {}
     with concurrent.futures.ThreadPoolExecutor(len(buses)) as pool:
-        return dict(zip(buses, pool.map(lambda b: _look(places, b, b in with_services), buses)))
+        return dict(zip(buses, pool.map(lambda bus: _look(places, bus, buses[bus],
+                                                          bus in with_services), buses)))
 
 
-def _look(places: Places, bus: Bus, with_services: bool) -> Seen:
-    command = [str(places.bin / "scarab-doctor"), *bus.arguments(), "--timeout", f"{_LOOK_S:g}"]
+def _look(places: Places, bus: Bus, at_least: int, with_services: bool) -> Seen:
+    command = [str(places.bin / "scarab-doctor"), *bus.arguments(), "--timeout", f"{_LOOK_S:g}",
+               "--participants", str(at_least)]
     asking = _start([str(places.bin / "scarab-status"), *bus.arguments(), "--json"]) \
         if with_services else None
     looking = _start(command)
@@ -66,3 +69,13 @@ def _answer(process: Optional[subprocess.Popen]):
         return json.loads(out), err.strip()
     except ValueError:
         return None, err.strip() or f"it ended with exit code {process.returncode}"
+
+
+def who(party: dict) -> str:
+    """`premotor/0 (scarab-premotor, pid 12 on beetle)`; other vendors tell less."""
+    process = party["process"] or "a program that does not tell its name"
+    if party["pid"]:
+        process += f", pid {party['pid']}"
+    if party["host"]:
+        process += f" on {party['host']}"
+    return f"{party['service']} ({process})" if party["service"] else process
