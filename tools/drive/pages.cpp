@@ -11,17 +11,17 @@ const char* const kEmergencyHint = "SPACE is the emergency stop here, too";
 
 std::vector<Line> key_lines(const Keyboard& keyboard) {
   if (keyboard.page == Page::kConfirmReset) {
-    return {{{" Leave the safe stop? The robot homes slowly, then goes on. ", Style::kAlarm},
-             {" y: yes   any other key: no"}},
-            {{kEmergencyHint, Style::kDim}}};
+    return {
+        {{" Leave the safe stop? The robot homes first. ", Style::kAlarm}, {" y: yes  else: no"}},
+        {{kEmergencyHint, Style::kDim}}};
   }
   if (keyboard.page == Page::kConfirmStop) {
-    return {{{" End the trial? Its verdict is then a failure. ", Style::kAlarm},
-             {" y: yes   any other key: no"}},
-            {{kEmergencyHint, Style::kDim}}};
+    return {
+        {{" End the trial? Its verdict is then a failure. ", Style::kAlarm}, {" y: yes  else: no"}},
+        {{kEmergencyHint, Style::kDim}}};
   }
   return {{{"SPACE EMERGENCY STOP", Style::kAlarm},
-           {"  r reset  p pause  g go  n next tick  t trial  e end  ? help  q quit"}},
+           {" r reset p pause g go n next t trial e end ? help q quit"}},
           {{"mode: o stop  f forward  b backward  s soft  x boxing  i stationary  h hard"}},
           {{"a automatic  m strategies  1-4 choose an input, up/down change it by hand"}}};
 }
