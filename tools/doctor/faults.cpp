@@ -43,8 +43,7 @@ void compare_types(const DiscoveredEndpoint& writer, const DiscoveredEndpoint& r
   const std::string written = type_text(writer);
   const std::string read = type_text(reader);
   if (written.empty() || read.empty() || written == read) return;
-  out.push_back(
-      {writer, reader, "type", first_difference(written, read), first_difference(read, written)});
+  out.push_back({writer, reader, "type", own_member(written, read), own_member(read, written)});
 }
 
 }  // namespace
