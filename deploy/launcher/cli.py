@@ -5,11 +5,12 @@ import sys
 from types import ModuleType
 from typing import List, Sequence
 
-from . import doctor_verb, operator_verbs, run_verb, sim_verb, status_verb, up_verb
+from . import (completion_verb, doctor_verb, operator_verbs, run_verb, sim_verb, status_verb,
+               up_verb)
 from .failure import EXIT_FAILURE, Failure, Interrupted
 from .places import Places, default_bin, default_runs, default_stack_file
 from .stack_options import add_profile_option, bounded_integer
-from .tool_verbs import hand_on
+from .tool_verbs import bus_of, hand_on
 from .verbs import Verbs
 
 _EXAMPLES = """deploy/scarab run --height 0.10 --strategy soft+hard --seed 1
@@ -45,9 +46,11 @@ def all_verbs() -> Verbs:
     verbs.group("the robot, while a trial runs")
     operator_verbs.add_verbs(verbs)
     verbs.group("looking on, and files")
-    verbs.add_tool("topic", "scarab-topic", "list, echo and measure the topics of any DDS system", True)
-    verbs.add_tool("log", "scarab-log", "read logs: info, csv, compare, recover, ...", False)
-    verbs.add_tool("config", "scarab-config", "check, dump and compare configuration files", False)
+    verbs.add_tool("topic", "scarab-topic", "list, echo and measure the topics of any DDS system",
+                   bus_of)
+    verbs.add_tool("log", "scarab-log", "read logs: info, csv, compare, recover, ...")
+    verbs.add_tool("config", "scarab-config", "check, dump and compare configuration files")
+    completion_verb.add_verb(verbs)
     verbs.finish(_EXAMPLES)
     return verbs
 
@@ -55,6 +58,8 @@ def all_verbs() -> Verbs:
 def _dispatch(words: List[str]) -> int:
     verbs = all_verbs()
     places = Places(default_bin(), default_runs(), default_stack_file())
+    if words and words[0] == completion_verb.ASK:
+        return completion_verb.answer(words[1:], verbs, places)
     if words and words[0] in verbs.tools:  # their options are theirs to read
         return hand_on(verbs.tools[words[0]], words[1:], places)
     options = verbs.parse(words)

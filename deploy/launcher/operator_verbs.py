@@ -8,32 +8,33 @@ from .foreground import run_in_front
 from .places import Places
 from .running_stack import RunningStack, choose_stack, running_stacks
 from .signals import Signals
+from .stack_options import bounded_integer
 from .strategies import strategies_of_running
-from .tool_verbs import become
+from .tool_verbs import become, bus_of
 from .verbs import Verbs
 
-_COMMANDS = {"estop": "emergency-stop"}  # of scarab-operator, where the verb has a shorter name
 _STOP_MORE = """The trial's verdict is a failure, by the operator; the stack stays up for the next one. To stop the
 stack itself: `deploy/scarab down`. To hold the robot at once: `deploy/scarab estop`."""
 _ESTOP_MORE = """The robot holds its position, or drops its torque where its file says so. It stays so until
 `deploy/scarab reset`. Without --domain it goes to every stack that is up on this machine."""
 _RESET_MORE = """Each joint first moves slowly to the start pose (homing); then the trial goes on."""
-_DRIVE_MORE = """Modes, strategies and the network's inputs I1..I4 by hand, with the robot's live state, in this
-terminal. Its keys are shown on the screen."""
 
 
 def add_verbs(verbs: Verbs) -> None:
     _add(verbs, "start", "go on after a pause")
     _add(verbs, "pause", "hold the trial; `start` goes on, `step` does one tick")
-    _add(verbs, "step", "do one tick, then pause again")
+    parser = _add(verbs, "step", "do one tick, or N, then pause again", operands=" [N]")
+    parser.add_argument("count", nargs="?", metavar="N", type=bounded_integer(1, 1000),
+                        help="how many ticks (1)")
     _add(verbs, "stop", "end the trial, as failed; the stack stays up (`down` stops that)", _STOP_MORE)
     parser = verbs.add("estop", emergency_stop, "emergency stop: safe stop at once, until `reset`",
                        "deploy/scarab estop --reason 'a hand is in the way'", _ESTOP_MORE)
     _add_reason(parser)
     _add(verbs, "reset", "leave the safe stop, through homing", _RESET_MORE)
-    verbs.add("drive", drive, "drive the robot by hand, in this terminal", "deploy/scarab drive",
-              _DRIVE_MORE)
-    verbs.add_tool("operator", "scarab-operator", "all that an operator can say, to any domain", True)
+    verbs.add_tool("drive", "scarab-drive", "drive the robot by hand, in this terminal",
+                   _bus_and_strategies)
+    verbs.add_tool("operator", "scarab-operator", "all that an operator can say, to any domain",
+                   bus_of)
 
 
 def emergency_stop(options: argparse.Namespace, places: Places) -> int:
@@ -46,15 +47,16 @@ def emergency_stop(options: argparse.Namespace, places: Places) -> int:
     return max(codes, default=EXIT_OK)
 
 
-def drive(options: argparse.Namespace, places: Places) -> NoReturn:
-    stack = _stack(options, places)
+def _bus_and_strategies(stack: RunningStack) -> List[str]:
     known = strategies_of_running(stack)
-    strategies = ["--strategies", ",".join(known)] if known else []
-    become([str(places.program("scarab-drive")), *stack.bus.arguments(), *strategies])
+    return [*bus_of(stack), *(["--strategies", ",".join(known)] if known else [])]
 
 
-def _add(verbs: Verbs, name: str, text: str, more: str = "") -> None:
-    _add_reason(verbs.add(name, _teller(name), text, f"deploy/scarab {name}", more))
+def _add(verbs: Verbs, name: str, text: str, more: str = "",
+         operands: str = "") -> argparse.ArgumentParser:
+    parser = verbs.add(name, _teller(name), text, f"deploy/scarab {name}", more, operands)
+    _add_reason(parser)
+    return parser
 
 
 def _add_reason(parser: argparse.ArgumentParser) -> None:
@@ -70,8 +72,9 @@ def _teller(name: str) -> Callable[[argparse.Namespace, Places], int]:
 
 def _command(name: str, stack: RunningStack, options: argparse.Namespace,
              places: Places) -> List[str]:
+    count = [str(options.count)] if getattr(options, "count", None) else []
     reason = ["--reason", options.reason] if options.reason else []
-    return [str(places.program("scarab-operator")), _COMMANDS.get(name, name), *stack.bus.arguments(), *reason]
+    return [str(places.program("scarab-operator")), *stack.bus.arguments(), name, *count, *reason]
 
 
 def _stack(options: argparse.Namespace, places: Places) -> RunningStack:

@@ -45,6 +45,11 @@ def read_stack(file: Path, profile: str, root: Path,
     return stack
 
 
+def read_profiles(file: Path) -> List[str]:
+    """The names of the profiles."""
+    return list(read_yaml(file).mapping()["profiles"].mapping())
+
+
 def _read_back_off(value: Value) -> BackOffTimes:
     fields = value.fields(["first_s", "longest_s", "forget_s"])
     first_s = fields["first_s"].number(0.0, 60.0)

@@ -1,24 +1,43 @@
-"""Verbs that hand on to a compiled tool: `topic`, `log`, `config`, `operator`."""
+"""Verbs that hand on to a compiled tool: `topic`, `log`, `config`, `operator`, `drive`."""
 
 import os
 import sys
-from typing import List, NoReturn, Sequence
+from typing import List, NoReturn, Optional, Sequence
 
 from .places import Places
-from .running_stack import choose_stack
+from .running_stack import RunningStack, choose_stack
 from .verbs import Tool
-
-_BUS_OPTIONS = ("--domain", "--tag", "--interface")
 
 
 def hand_on(tool: Tool, words: List[str], places: Places) -> NoReturn:
-    """Becomes the tool, which is told where the running stack is unless the words say so."""
+    """Becomes the tool, which is told of the running stack: of that on the domain the words name, else
+    of the only one. Words that say more of the bus than its domain say all of it."""
     command = [str(places.program(tool.program)), *words]
-    if tool.on_bus and words and not _says(words, "-h", "--help", *_BUS_OPTIONS):
-        stack = choose_stack(places.runs, None)
+    if tool.of_stack and not _says(words, "-h", "--help", "--tag", "--interface"):
+        domain = _domain(words)
+        stack = choose_stack(places.runs, domain)
         if stack is not None:
-            command += stack.bus.arguments()
+            told = tool.of_stack(stack)
+            command += told if domain is None else _without(told, "--domain")
     become(command)
+
+
+def _domain(words: List[str]) -> Optional[int]:
+    for word, following in zip(words, [*words[1:], ""]):
+        name, equals, value = word.partition("=")
+        number = value if equals else following
+        if name == "--domain" and number.isdigit():
+            return int(number)
+    return None
+
+
+def _without(words: List[str], option: str) -> List[str]:
+    at = words.index(option)
+    return words[:at] + words[at + 2:]
+
+
+def bus_of(stack: RunningStack) -> List[str]:
+    return list(stack.bus.arguments())
 
 
 def become(command: Sequence[str]) -> NoReturn:

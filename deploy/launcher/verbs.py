@@ -2,10 +2,11 @@
 
 import argparse
 from dataclasses import dataclass
-from typing import Callable, Dict, List, NoReturn
+from typing import Callable, Dict, List, NoReturn, Optional
 
 from .failure import EXIT_USAGE, UsageError
 from .places import Places
+from .running_stack import RunningStack
 from .stack_options import add_place_options
 from .strict_yaml import did_you_mean
 
@@ -27,7 +28,7 @@ class Tool:
     """A verb whose words a compiled program reads."""
 
     program: str
-    on_bus: bool  # it is told where the running stack is
+    of_stack: Optional[Callable[[RunningStack], List[str]]]  # what it is told of the one that is up
 
 
 class Verbs:
@@ -59,11 +60,12 @@ class Verbs:
         self.parsers[name] = parser
         return parser
 
-    def add_tool(self, name: str, program: str, text: str, on_bus: bool) -> None:
+    def add_tool(self, name: str, program: str, text: str,
+                 of_stack: Optional[Callable[[RunningStack], List[str]]] = None) -> None:
         """A verb that hands on."""
         self._note(name, text)
         self._sub.add_parser(name, add_help=False)
-        self.tools[name] = Tool(program, on_bus)
+        self.tools[name] = Tool(program, of_stack)
 
     def finish(self, examples: str) -> None:
         """After the last one: what all have in common."""

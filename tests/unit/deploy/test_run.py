@@ -119,11 +119,9 @@ class Crash(FakeStackTest):
         launcher = self.start("run")
         wait_until(self.trial_runs, "the trial runs")
         self.order("scarab-plant", "crash")
-        self.order("scarab-premotor", "crash")
-        wait_until(lambda: services(self.journal(), "start").count("scarab-premotor") == 2,
-                   "premotor is restarted")
-        self.withdraw("scarab-experiment", "hold")
-        self.finish(launcher)
+        code, out, _ = self.finish(launcher)
+        self.assertEqual(code, 1)
+        self.assertIn("result: failure: plant was killed", out)
         self.assertEqual(services(self.journal(), "start").count("scarab-plant"), 1)
 
     def test_restarted_logger_leaves_the_first_file_alone(self):

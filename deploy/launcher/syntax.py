@@ -1,0 +1,84 @@
+"""The options and operands of a program: from an argparse parser, or from the help of a compiled tool."""
+
+import argparse
+import re
+from dataclasses import dataclass, field
+from typing import Dict, Iterable, List, Tuple
+
+from .verbs import options_of
+
+_LINE = re.compile(r"  (\S.*?)(?:  +(.*))?$")
+_CHOICES = re.compile(r"\{([^{}]*)\}")
+
+
+@dataclass(frozen=True)
+class Argument:
+    """An option or an operand."""
+
+    name: str                      # as typed, or of the operand
+    kind: str = ""                 # what its value is: the operand's name, the option's without --, or FILE, DIR
+    choices: Tuple[str, ...] = ()
+    takes_value: bool = True
+    repeatable: bool = False
+    note: str = ""
+
+
+@dataclass(frozen=True)
+class Syntax:
+    """What a verb, a tool or its subcommand takes."""
+
+    options: Dict[str, Argument]
+    operands: List[Argument] = field(default_factory=list)
+    commands: Dict[str, str] = field(default_factory=dict)  # subcommands, and what they do
+
+    def operand_after(self, words: Iterable[str]) -> "Argument | None":
+        """The operand that comes next; the last one may come again."""
+        count, value_follows = 0, False
+        for word in words:
+            option = self.options.get(word)
+            count += not value_follows and not word.startswith("-")
+            value_follows = option is not None and option.takes_value
+        return self.operands[min(count, len(self.operands) - 1)] if self.operands else None
+
+
+def syntax_of_parser(parser: argparse.ArgumentParser) -> Syntax:
+    options = {name: _argument(name, action) for name, action in options_of(parser).items()
+               if name.startswith("--")}
+    operands = [_argument(action.dest, action)
+                for action in parser._get_positional_actions()]  # argparse has no question for them
+    return Syntax(options, operands)
+
+
+def _argument(name: str, action: argparse.Action) -> Argument:
+    kind = action.metavar if action.metavar in ("FILE", "DIR") else action.dest
+    return Argument(name, str(kind), tuple(map(str, action.choices or ())), action.nargs != 0,
+                    isinstance(action.default, list), action.help or "")
+
+
+def syntax_of_help(text: str) -> Syntax:
+    """Reads the help that CLI11 prints: sections, and in them a line for each option."""
+    syntax, section = Syntax({}), ""
+    for line in text.splitlines():
+        if line and not line.startswith(" "):
+            section = line.rstrip(":")
+        match = _LINE.match(line)
+        if match is None or line.startswith("   "):  # a continued note, an empty line, a heading
+            continue
+        words, note = match[1], match[2] or ""
+        names, _, value = re.sub(r", ", ",", words).partition(" ")
+        if section == "Subcommands":
+            syntax.commands[names.split(",")[0]] = note
+        elif section == "Positionals":
+            syntax.operands.append(_from_help(names, value, note))
+        elif section == "Options":
+            for name in re.sub(r"\{.*", "", names).split(","):  # --no-x{false}
+                if name.startswith("--"):
+                    syntax.options[name] = _from_help(name, value, note)
+    return syntax
+
+
+def _from_help(name: str, value: str, note: str) -> Argument:
+    choices = _CHOICES.search(value)
+    kind = "FILE" if "FILE" in value else "DIR" if "DIR" in value else name.lstrip("-")
+    return Argument(name, kind, tuple(choices[1].split(",")) if choices else (), bool(value),
+                    value.endswith("..."), note)

@@ -1,0 +1,215 @@
+"""Tab on a command line: in a real bash, and the candidates behind it."""
+
+import os
+import pty
+import re
+import select
+import subprocess
+import tempfile
+import time
+import unittest
+from pathlib import Path
+
+from fake_stack import SCARAB, SOURCE_ROOT
+from launcher.cli import all_verbs
+from launcher.completion import Completion
+from launcher.completion_verb import ASK
+from launcher.places import Places
+from launcher.syntax import syntax_of_help
+
+PATIENCE_S = 20.0
+TOOL_HELP = """Looks at DDS topics of any type.
+Usage: scarab-topic [OPTIONS] SUBCOMMAND
+
+Options:
+  -h,--help                   Print this help message and exit
+  --domain UINT:UINT in [0 - 230]=0
+                              DDS domain
+  --no-fun{false}             none
+
+Subcommands:
+  list                        topics, their types, writers and readers
+  echo, print                 print the samples of a topic as YAML
+
+Examples:
+  scarab-topic list --verbose
+"""
+COMMAND_HELP = """print the samples of a topic as YAML
+Usage: scarab-topic echo [OPTIONS] topic
+
+Positionals:
+  topic TEXT REQUIRED         such as scarab/robot_state
+
+Options:
+  --json                      one line of JSON a sample
+  --format TEXT:{yaml,json}=yaml
+                              how it looks
+"""
+
+
+class Bash:
+    """An interactive one with the completion loaded, in a terminal of its own."""
+
+    def __init__(self, folder, environment):
+        self._pid, self._terminal = pty.fork()
+        if self._pid == 0:
+            os.chdir(folder)
+            os.execve("/bin/bash", ["bash", "--norc", "--noprofile", "-i"],
+                      {"PATH": "/usr/bin:/bin", "TERM": "dumb", "INPUTRC": "/dev/null",
+                       "HOME": str(folder), **environment})
+        self._read = ""
+        for setting in ("show-all-if-ambiguous on", "page-completions off",
+                        "completion-query-items 0", "enable-bracketed-paste off"):
+            self._send(f"bind 'set {setting}'\n")
+        self._send(f"PS1=; source <({SCARAB} completion bash); echo lo''aded\n")
+        self._until("\nloaded")
+
+    def after_tab(self, line):
+        """The line as Tab leaves it."""
+        self._send(f"{line}\t\x01echo '<'\x05'>'\n")  # start of line, end of line
+        return self._until(r"\n<(.*)>\r").strip()
+
+    def listed_at_tab(self, line):
+        """The candidates that Tab shows where there are several."""
+        self._send(f"{line}\t\x15echo '<''>'\n")  # then the line is deleted
+        return self._until(r"((?:.|\n)*)\n<>\r").split()
+
+    def close(self):
+        os.close(self._terminal)
+        os.waitpid(self._pid, 0)
+
+    def _send(self, text):
+        os.write(self._terminal, text.encode())
+
+    def _until(self, pattern):
+        deadline = time.monotonic() + PATIENCE_S
+        while not (match := re.search(pattern, self._read)):
+            if not select.select([self._terminal], [], [], deadline - time.monotonic())[0]:
+                raise AssertionError(f"no {pattern!r} in {self._read!r}")
+            self._read += os.read(self._terminal, 65536).decode()
+        self._read = self._read[match.end():]
+        return match[1] if match.groups() else ""
+
+
+class Room(unittest.TestCase):
+    """A folder with tools that have but a help, and with files to complete."""
+
+    def setUp(self):
+        room = tempfile.TemporaryDirectory()
+        self.addCleanup(room.cleanup)
+        self.room = Path(room.name)
+        (self.room / "bin").mkdir()
+        self.program("scarab-topic", f"case $1 in echo) cat <<'X'\n{COMMAND_HELP}\nX\n;;\n"
+                                     f"*) cat <<'X'\n{TOOL_HELP}\nX\n;; esac")
+        # The supervisor alone knows its strategies; this one says what is in its file.
+        self.program("scarab-supervisor", 'while [ "$1" != --config ]; do shift; done; cat "$2"')
+        (self.room / "deploy").symlink_to(SOURCE_ROOT / "deploy")
+        (self.room / "my files").mkdir()
+        (self.room / "plants").mkdir()
+        (self.room / "plants" / "noisy.yaml").write_text("")
+        self.environment = {"SCARAB_BIN": str(self.room / "bin"),
+                            "SCARAB_RUNS": str(self.room / "runs")}
+
+    def program(self, name, body):
+        file = self.room / "bin" / name
+        file.write_text(f"#!/bin/sh\n{body}\n")
+        file.chmod(0o755)
+
+
+class InBash(Room):
+    def setUp(self):
+        super().setUp()
+        self.bash = Bash(self.room, self.environment)
+        self.addCleanup(self.bash.close)
+
+    def test_one_candidate_is_typed(self):
+        for line, completed in (
+                ("deploy/scarab stat", "deploy/scarab status"),
+                ("deploy/scarab up --rea", "deploy/scarab up --realtime"),
+                ("deploy/scarab run --strategy boxing+", "deploy/scarab run --strategy boxing+hard"),
+                ("deploy/scarab run --strategy=boxing+", "deploy/scarab run --strategy=boxing+hard"),
+                ("deploy/scarab run --goal tr", "deploy/scarab run --goal travel"),
+                ("deploy/scarab up --profile plant", "deploy/scarab up --profile plant-host"),
+                ("deploy/scarab up --config plant=pl", "deploy/scarab up --config plant=plants/"),
+                ("deploy/scarab up --config plant=plants/",
+                 "deploy/scarab up --config plant=plants/noisy.yaml"),
+                ("deploy/scarab up --replicas prem", "deploy/scarab up --replicas premotor="),
+                ("deploy/scarab topic ec", "deploy/scarab topic echo"),
+                ("deploy/scarab topic echo scarab/wo", "deploy/scarab topic echo scarab/world_state"),
+                ("deploy/scarab topic echo --format j", "deploy/scarab topic echo --format json"),
+                ("deploy/scarab completion z", "deploy/scarab completion zsh"),
+                ("WHO=me deploy/scarab dow", "WHO=me deploy/scarab down")):
+            with self.subTest(line=line):
+                self.assertEqual(self.bash.after_tab(line), completed)
+
+    def test_several_are_shown(self):
+        shown = self.bash.listed_at_tab("deploy/scarab ")
+        self.assertTrue({"up", "down", "run", "estop", "topic", "completion"} <= set(shown), shown)
+        shown = self.bash.listed_at_tab("deploy/scarab run --strategy so")
+        self.assertTrue({"soft", "soft+hard"} <= set(shown), shown)
+        self.assertIn("--json", self.bash.listed_at_tab("deploy/scarab topic echo --"))
+
+    def test_nonsense_completes_to_nothing(self):
+        for line in ("deploy/scarab nonsense ", "deploy/scarab up --domain 'x", "deploy/scarab up x"):
+            with self.subTest(line=line):
+                self.assertNotIn("Traceback", " ".join(self.bash.listed_at_tab(line)))
+
+
+class Candidates(Room):
+    def setUp(self):
+        super().setUp()
+        self.completion = Completion(
+            all_verbs(), Places(self.room / "bin", self.room / "runs", SOURCE_ROOT / "deploy/stack.yaml"))
+
+    def texts(self, *words):
+        return [c.text for c in self.completion.of(words)]
+
+    def test_every_verb_of_the_help_is_offered(self):
+        help_text = subprocess.run([str(SCARAB), "--help"], capture_output=True, text=True,
+                                   check=True).stdout
+        in_help = re.findall(r"^  ([a-z]+)  +", help_text, re.MULTILINE)
+        self.assertEqual(self.texts(""), [*in_help, "--help"])
+
+    def test_option_that_was_given_is_offered_again_only_where_it_may_be(self):
+        offered = self.texts("up", "--robot", "beetle", "--config", "plant=x", "--")
+        self.assertNotIn("--robot", offered)
+        self.assertIn("--config", offered)
+
+    def test_strategies_follow_the_robot(self):
+        self.program("scarab-supervisor", 'case "$*" in *phantomx*) echo "strategies: {walk: {}}" ;; '
+                     '*) echo "strategies: {roll: {}}" ;; esac')
+        self.assertEqual(self.texts("run", "--robot", "phantomx", "--strategy", ""), ["walk"])
+        self.assertEqual(self.texts("run", "--strategy", ""), ["roll"])
+
+    def test_robots_are_those_described(self):
+        described = sorted(f.stem for f in (SOURCE_ROOT / "config" / "robot").glob("*.yaml"))
+        self.assertEqual(self.texts("run", "--robot", ""), described)
+
+    def test_help_of_a_tool_is_read(self):
+        syntax = syntax_of_help(TOOL_HELP)
+        self.assertEqual(list(syntax.commands), ["list", "echo"])
+        self.assertEqual(list(syntax.options), ["--help", "--domain", "--no-fun"])
+        self.assertEqual([syntax.options[o].takes_value for o in syntax.options],
+                         [False, True, False])
+        command = syntax_of_help(COMMAND_HELP)
+        self.assertEqual([o.name for o in command.operands], ["topic"])
+        self.assertEqual(command.options["--format"].choices, ("yaml", "json"))
+
+    def test_answer_comes_while_a_person_waits(self):
+        def answer():
+            begin = time.monotonic()
+            subprocess.run([str(SCARAB), ASK, "line", "scarab run --strategy "], check=True,
+                           capture_output=True, env={**os.environ, **self.environment})
+            return time.monotonic() - begin
+
+        self.assertLess(min(answer() for _ in range(5)), 0.3)
+
+    def test_tool_that_is_not_built_is_no_error_on_the_line(self):
+        (self.room / "bin" / "scarab-topic").unlink()
+        done = subprocess.run([str(SCARAB), ASK, "line", "scarab topic "], capture_output=True,
+                              text=True, check=False, env={**os.environ, **self.environment})
+        self.assertEqual((done.returncode, done.stdout, done.stderr), (0, "", ""))
+
+
+if __name__ == "__main__":
+    unittest.main()
