@@ -70,6 +70,8 @@ struct BadInput {
   const char* error;
 };
 
+void PrintTo(const BadInput& input, std::ostream* out) { *out << input.what; }
+
 class BadInputTest : public testing::TestWithParam<BadInput> {};
 
 TEST_P(BadInputTest, IsOneLineThatSaysWhereAndWhy) {

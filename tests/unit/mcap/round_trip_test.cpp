@@ -12,6 +12,8 @@ struct Layout {
   std::size_t chunk_size_bytes;
 };
 
+void PrintTo(const Layout& layout, std::ostream* out) { *out << layout.name; }
+
 class RoundTrip : public testing::TestWithParam<Layout> {
  protected:
   WriterOptions options() const {

@@ -46,6 +46,8 @@ struct Measured {
   double tolerance_ticks;  ///< half of the last digit of the table
 };
 
+void PrintTo(const Measured& measured, std::ostream* out) { *out << "w12 " << measured.w12; }
+
 class CpgPeriod : public testing::TestWithParam<Measured> {};
 
 // Periods measured before by counting upward zero crossings of C1; here by the angle turned.

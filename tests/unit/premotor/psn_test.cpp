@@ -23,6 +23,8 @@ struct Row {
   int hind_t;
 };
 
+void PrintTo(const Row& row, std::ostream* out) { *out << row.action; }
+
 class PhaseTable : public testing::TestWithParam<Row> {};
 
 /// The sign with which `output` carries `input`, which it follows by `steps` synapses; 0 if neither

@@ -2,6 +2,7 @@
 
 #include <complex>
 #include <functional>
+#include <ostream>
 #include <string>
 #include <vector>
 
@@ -18,6 +19,7 @@ struct Action {
   const char* name;
   Inputs inputs;
 };
+inline void PrintTo(const Action& action, std::ostream* out) { *out << action.name; }
 inline constexpr std::array<Action, 5> kTable1 = {{{"forward", {1, 1, 0, 0}},
                                                    {"backward", {0, 1, 0, 0}},
                                                    {"soft_push", {1, -1, 1, 1}},

@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <ostream>
 #include <string>
 
 /// Each rule on small made-up files: it must let the right ones pass and catch the wrong ones.
@@ -16,6 +17,10 @@ struct Case {
   const char* include;
   bool allowed;
 };
+
+void PrintTo(const Case& c, std::ostream* out) {
+  *out << c.path << (c.allowed ? " may" : " may not") << " include " << c.include;
+}
 
 const Case kCases[] = {
     {check_pure_includes, "services/plant/core/a.cpp", "<vector>", true},
