@@ -5,14 +5,15 @@
 
 namespace scarab::test {
 
-void Keeper::kill(const std::string& service) {
+void Keeper::kill(const std::string& service, std::uint32_t instance) {
   constexpr std::chrono::milliseconds kFirst{100};
   constexpr std::chrono::milliseconds kLongest{5000};
-  while (due_.count(service) != 0) look_after(std::chrono::milliseconds(1));
-  stack_.kill(service);
-  const auto wait = std::min(kLongest, kFirst * (1U << kills_[service]));
-  ++kills_[service];
-  due_[service] = Clock::now() + wait;
+  const Process process{service, instance};
+  while (due_.count(process) != 0) look_after(std::chrono::milliseconds(1));
+  stack_.kill(service, instance);
+  const auto wait = std::min(kLongest, kFirst * (1U << kills_[process]));
+  ++kills_[process];
+  due_[process] = Clock::now() + wait;
 }
 
 void Keeper::restart_due() {
@@ -21,7 +22,7 @@ void Keeper::restart_due() {
       ++entry;
       continue;
     }
-    stack_.restart(entry->first);
+    stack_.restart(entry->first.first, entry->first.second);
     entry = due_.erase(entry);
   }
 }
@@ -35,12 +36,12 @@ void Keeper::look_after(std::chrono::microseconds duration) {
 }
 
 void Keeper::restart_all() {
-  for (auto& [service, due] : due_) due = Clock::time_point{};
+  for (auto& [process, due] : due_) due = Clock::time_point{};
   restart_due();
 }
 
-unsigned Keeper::kills_of(const std::string& service) const {
-  const auto entry = kills_.find(service);
+unsigned Keeper::kills_of(const std::string& service, std::uint32_t instance) const {
+  const auto entry = kills_.find({service, instance});
   return entry == kills_.end() ? 0 : entry->second;
 }
 

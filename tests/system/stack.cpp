@@ -6,7 +6,7 @@ namespace scarab::test {
 
 Stack::Stack(const std::filesystem::path& directory, const Options& options)
     : directory_(directory),
-      robot_(options.robot),
+      options_(options),
       expect_("logger=" + std::to_string(options.witness ? 2 : 1) +
               ",plant=1,supervisor=1,premotor=" + std::to_string(options.premotors)) {
   std::filesystem::create_directories(directory_);
@@ -21,7 +21,8 @@ Stack::Stack(const std::filesystem::path& directory, const Options& options)
 ChildProcess Stack::launch(const Key& key) const {
   Arguments more;
   if (key.first == "logger") more = {"--output", log()};
-  return start({key.first, expect_, directory_, key.second, more, robot_});
+  if (key.first == "plant" && options_.real_time) more = {"--pace", "realtime"};
+  return start({key.first, expect_, directory_, key.second, more, options_.robot});
 }
 
 ChildProcess& Stack::service(const std::string& name, std::uint32_t instance) {

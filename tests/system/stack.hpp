@@ -15,6 +15,7 @@ class Stack {
     unsigned premotors = 1;
     bool witness = false;  ///< a Witness of the test takes part
     std::string robot = "beetle";
+    bool real_time = false;  ///< the plant's pace: by the wall clock, else lockstep
   };
 
   /// Starts all services; `directory` is made and becomes their run directory.
@@ -42,7 +43,7 @@ class Stack {
   [[nodiscard]] ChildProcess launch(const Key& key) const;
 
   std::filesystem::path directory_;
-  std::string robot_;
+  Options options_;
   std::string expect_;
   std::map<Key, ChildProcess> services_;
 };

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cstring>
+#include <optional>
 #include <stdexcept>
 
 #include "common/bus/topics.hpp"
@@ -21,6 +22,13 @@ T number_at(bus::ByteView cdr, std::size_t offset) {
   T number;
   std::memcpy(&number, cdr.data + offset, sizeof(number));
   return number;
+}
+
+/// Where the flag real_time stands: in robot_state behind the phase, in behaviour first.
+std::optional<std::size_t> real_time_at(const std::string& topic) {
+  if (topic == bus::kRobotState.name || topic == bus::kRobotSensors.name) return kHeaderEnd + 4;
+  if (topic == bus::kBehaviour.name) return kHeaderEnd;
+  return std::nullopt;
 }
 
 std::string name_of(const std::string& topic, const Trajectory::Key& key) {
@@ -56,6 +64,17 @@ void Trajectory::add(const std::string& topic, bus::ByteView cdr) {
   if (!fresh && entry->second != bytes) changed_.push_back(name_of(topic, key));
 }
 
+Trajectory Trajectory::paceless() const {
+  Trajectory copy = *this;
+  for (auto& [topic, samples] : copy.samples_) {
+    const auto flag = real_time_at(topic);
+    for (auto& [key, bytes] : samples) {
+      if (flag) bytes.at(*flag) = std::byte{0};
+    }
+  }
+  return copy;
+}
+
 const Trajectory::Samples& Trajectory::of(const std::string& topic) const {
   static const Samples none;
   const auto entry = samples_.find(topic);
@@ -78,11 +97,11 @@ std::vector<std::string> Trajectory::contradictions(const Trajectory& whole) con
   return found;
 }
 
-std::vector<std::string> Trajectory::gaps(const Trajectory& whole) const {
-  std::vector<std::string> found;
+std::vector<Trajectory::Gap> Trajectory::gaps(const Trajectory& whole) const {
+  std::vector<Gap> found;
   for (const auto& [topic, samples] : whole.samples_) {
     for (const auto& [key, bytes] : samples) {
-      if (of(topic).count(key) == 0) found.push_back(name_of(topic, key) + ": not seen");
+      if (of(topic).count(key) == 0) found.push_back({topic, key.first});
     }
   }
   return found;

@@ -28,12 +28,19 @@ class Trajectory {
   /// service, must be the same again.
   void add(const std::string& topic, bus::ByteView cdr);
 
+  /// The same without what says whether it was run in real time.
+  [[nodiscard]] Trajectory paceless() const;
+
   [[nodiscard]] const Samples& of(const std::string& topic) const;
   /// In words, what here is other than in `whole`, or not in it at all; empty if this is a part of
   /// it.
   [[nodiscard]] std::vector<std::string> contradictions(const Trajectory& whole) const;
-  /// In words, what of `whole` is missing here.
-  [[nodiscard]] std::vector<std::string> gaps(const Trajectory& whole) const;
+  /// What of `whole` is missing here.
+  struct Gap {
+    std::string topic;
+    std::uint32_t tick;
+  };
+  [[nodiscard]] std::vector<Gap> gaps(const Trajectory& whole) const;
 
  private:
   std::map<std::string, Samples> samples_;

@@ -1,5 +1,7 @@
 #include "tests/system/witness.hpp"
 
+#include <algorithm>
+
 #include "common/bus/cdr.hpp"
 #include "tests/support/test_bus.hpp"
 
@@ -57,20 +59,38 @@ void Witness::take(bus::Reader<T>& reader) {
 
 const Trajectory& Witness::look() {
   trials_.take([this](const scarab_Trial& trial) { trial_ = trial.header.trial; });
-  if (trial_ != 0 && settled()) status_.set_ready(trial_);
-  status_.publish_if_due();
   take(states_);
   take(sensors_);
   take(behaviours_);
   take(commands_);
   take(activities_);
   take(worlds_);
+  report();
   return seen_;
 }
 
+void Witness::report() {
+  if (trial_ != 0 && settled()) status_.set_ready(trial_);
+  std::int64_t seen = newest(states_.topic());
+  for (const auto& topic : Trajectory::topics()) seen = std::min(seen, newest(topic));
+  if (seen >= 0) status_.set_recorded(trial_, static_cast<std::uint32_t>(seen));
+  status_.publish_if_due();
+}
+
+std::int64_t Witness::newest(const std::string& topic) const {
+  const auto& samples = seen_.of(topic);
+  return samples.empty() ? -1 : std::int64_t{samples.rbegin()->first.first};
+}
+
 std::int64_t Witness::tick() {
-  const auto& states = look().of(states_.topic());
-  return states.empty() ? -1 : std::int64_t{states.rbegin()->first.first};
+  look();
+  return newest(states_.topic());
+}
+
+bool Witness::caught_up() {
+  const std::int64_t answered = tick() - 1;
+  return newest(behaviours_.topic()) >= answered && newest(commands_.topic()) >= answered &&
+         newest(activities_.topic()) >= answered;
 }
 
 }  // namespace scarab::test
