@@ -4,6 +4,7 @@
 #include <fstream>
 #include <iostream>
 #include <memory>
+#include <optional>
 #include <stdexcept>
 #include <string>
 #include <vector>
@@ -12,6 +13,7 @@
 #include "common/config/error.hpp"
 #include "tools/config/difference.hpp"
 #include "tools/config/file_kind.hpp"
+#include "tools/config/robot_files.hpp"
 
 namespace scarab::config_tool {
 namespace {
@@ -37,7 +39,7 @@ int reporting(const Body& body) {
     return body();
   } catch (const config::Error& error) {
     std::cerr << error.what() << '\n';
-  } catch (const UnknownKind& error) {
+  } catch (const WrongKind& error) {
     std::cerr << "scarab-config: " << error.what() << '\n';
   }
   return kBadUsage;
@@ -68,14 +70,37 @@ int diff(const Arguments& arguments) {
   const FileKind& kind = arguments.kind_of(a);
   const FileKind& other = arguments.kind_of(b);
   if (kind.name != other.name) {
-    throw UnknownKind(a + " is of kind " + std::string(kind.name) + ", " + b + " of kind " +
-                      std::string(other.name) + ": nothing to compare");
+    throw WrongKind(a + " is of kind " + std::string(kind.name) + ", " + b + " of kind " +
+                    std::string(other.name) + ": nothing to compare");
   }
   const config::Document before = config::parse_text(a, kind.resolve(a));
   const config::Document after = config::parse_text(b, kind.resolve(b));
   const std::vector<std::string> lines = differences(before.root, after.root);
   for (const std::string& line : lines) std::cout << line << '\n';
   return lines.empty() ? kSuccess : kDifferent;
+}
+
+/// The place of a file of that kind among the files of a robot.
+std::optional<std::filesystem::path>& slot_of(RobotFiles& files, std::string_view kind) {
+  if (kind == "robot") return files.robot;
+  if (kind == "plant") return files.plant;
+  return kind == "premotor" ? files.premotor : files.supervisor;
+}
+
+int match(const Arguments& arguments) {
+  RobotFiles files;
+  for (const std::string& file : arguments.files) {
+    const FileKind& kind = kind_of(file);
+    auto& slot = slot_of(files, kind.name);
+    if (slot) {
+      throw WrongKind(slot->string() + " and " + file + " are both of kind " +
+                      std::string(kind.name) + "; name one file of a kind");
+    }
+    slot = file;
+  }
+  expect_match(files);
+  std::cout << "the files match\n";
+  return kSuccess;
 }
 
 void write_all_schemas(const std::filesystem::path& folder) {
@@ -96,13 +121,16 @@ CLI::Option* add_file(CLI::App& command, const std::string& name, std::string& f
   return command.add_option(name, file, help)->type_name("FILE")->required();
 }
 
+void add_kind(CLI::App& command, Arguments& arguments) {
+  command
+      .add_option("--kind", arguments.kind,
+                  "one of " + kind_names() + "; without it the folder's name says so")
+      ->type_name("KIND");
+}
+
 /// What the subcommands that read files have in common.
 void finish(CLI::App& command, Command& chosen, const std::shared_ptr<Arguments>& arguments,
             Action action) {
-  command
-      .add_option("--kind", arguments->kind,
-                  "one of " + kind_names() + "; without it the folder's name says so")
-      ->type_name("KIND");
   command.callback([&chosen, arguments, action] {
     chosen = [arguments, action] { return reporting([&] { return action(*arguments); }); };
   });
@@ -115,6 +143,7 @@ void add_check(CLI::App& app, Command& chosen) {
       app.add_subcommand("check", "whether files are right: unknown keys, types, ranges");
   const auto arguments = std::make_shared<Arguments>();
   command->add_option("files", arguments->files, "the files")->type_name("FILE")->required();
+  add_kind(*command, *arguments);
   finish(*command, chosen, arguments, check);
   command->footer(
       "Prints `FILE: ok`, or `FILE:line:column: key: reason`, for every file.\n"
@@ -128,6 +157,7 @@ void add_dump(CLI::App& app, Command& chosen) {
   const auto arguments = std::make_shared<Arguments>();
   arguments->files.resize(1);
   add_file(*command, "file", arguments->files[0], "the file");
+  add_kind(*command, *arguments);
   finish(*command, chosen, arguments, dump);
   command->footer("Example: scarab-config dump config/plant/beetle.yaml");
 }
@@ -139,12 +169,28 @@ void add_diff(CLI::App& app, Command& chosen) {
   arguments->files.resize(2);
   add_file(*command, "a", arguments->files[0], "one file");
   add_file(*command, "b", arguments->files[1], "the other, of the same kind");
+  add_kind(*command, *arguments);
   finish(*command, chosen, arguments, diff);
   command->footer(
       "Prints `key.path: value in a -> value in b`; what a file extends is part of it, comments\n"
       "are not.\n"
       "Exit code: 0 equal, 1 different, 2 nothing could be compared.\n"
       "Example: scarab-config diff config/plant/beetle.yaml my/plant.yaml --kind plant");
+}
+
+void add_match(CLI::App& app, Command& chosen) {
+  auto* command = app.add_subcommand(
+      "match", "whether the files of one robot fit each other: joint ranges, angles");
+  const auto arguments = std::make_shared<Arguments>();
+  command
+      ->add_option("files", arguments->files, "at most one file of each kind, known by its folder")
+      ->type_name("FILE")
+      ->required()
+      ->expected(2, static_cast<int>(kKindCount));
+  finish(*command, chosen, arguments, match);
+  command->footer(
+      "Exit code: 0 they fit, 2 they do not; the first value that does not is one line.\n"
+      "Example: scarab-config match config/*/beetle.yaml");
 }
 
 void add_schema(CLI::App& app, Command& chosen) {

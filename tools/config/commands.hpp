@@ -18,6 +18,8 @@ void add_check(CLI::App& app, Command& chosen);
 void add_dump(CLI::App& app, Command& chosen);
 /// Exit codes: 0 equal, 1 different, 2 nothing could be compared.
 void add_diff(CLI::App& app, Command& chosen);
+/// Exit codes: 0 the files fit each other, 2 they do not.
+void add_match(CLI::App& app, Command& chosen);
 void add_schema(CLI::App& app, Command& chosen);
 
 }  // namespace scarab::config_tool

@@ -50,17 +50,17 @@ std::string kind_names() {
 
 const FileKind& kind_named(std::string_view name) {
   if (const FileKind* kind = find(name)) return *kind;
-  throw UnknownKind("no kind '" + std::string(name) + "' of configuration; there are " +
-                    kind_names());
+  throw WrongKind("no kind '" + std::string(name) + "' of configuration; there are " +
+                  kind_names());
 }
 
 const FileKind& kind_of(const Path& file) {
   const Path folder = std::filesystem::absolute(file).lexically_normal().parent_path().filename();
   if (const FileKind* kind = find(folder.string())) return *kind;
-  throw UnknownKind(file.string() +
-                    ": its folder says no kind of configuration; name one with "
-                    "--kind (" +
-                    kind_names() + ")");
+  throw WrongKind(file.string() +
+                  ": its folder says no kind of configuration; name one with "
+                  "--kind (" +
+                  kind_names() + ")");
 }
 
 }  // namespace scarab::config_tool

@@ -25,16 +25,17 @@ inline constexpr std::size_t kKindCount = 4;
 /// Their names: "plant, premotor, ...".
 [[nodiscard]] std::string kind_names();
 
-/// No kind of that name, or none to be seen from the file's folder. what() is one line.
-class UnknownKind : public std::runtime_error {
+/// A kind that is unknown, cannot be seen from a file's folder, or does not go with the other
+/// files. what() is one line.
+class WrongKind : public std::runtime_error {
  public:
   using std::runtime_error::runtime_error;
 };
 
-/// The kind of that name. Throws UnknownKind.
+/// The kind of that name. Throws WrongKind.
 [[nodiscard]] const FileKind& kind_named(std::string_view name);
 
-/// The kind that a file's folder is named after. Throws UnknownKind.
+/// The kind that a file's folder is named after. Throws WrongKind.
 [[nodiscard]] const FileKind& kind_of(const std::filesystem::path& file);
 
 }  // namespace scarab::config_tool

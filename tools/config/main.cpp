@@ -13,6 +13,7 @@ int main(int argc, char** argv) {
   config_tool::add_check(app, command);
   config_tool::add_dump(app, command);
   config_tool::add_diff(app, command);
+  config_tool::add_match(app, command);
   config_tool::add_schema(app, command);
   return runtime::run_program(app, argc, argv, [&] { return command(); });
 }

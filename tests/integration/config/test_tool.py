@@ -80,6 +80,39 @@ class Tool(unittest.TestCase):
         self.assert_refused("diff", BEETLE, CONFIG / "plant" / "beetle.yaml", saying="nothing to compare")
         self.assert_refused("diff", BEETLE, self.folder / "robot" / "none.yaml", saying="No such file")
 
+    def test_match_takes_the_files_of_every_shipped_robot(self):
+        robots = {file.stem for file in SHIPPED if kind_of(file) == "robot"}
+        self.assertIn("beetle", robots)
+        for robot in robots:
+            files = [CONFIG / kind / f"{robot}.yaml" for kind in ("supervisor", "robot", "premotor", "plant")]
+            self.assertEqual(scarab_config("match", *files), (0, "the files match\n", ""))
+
+    def test_match_finds_what_no_single_file_can_tell(self):
+        others = {kind: CONFIG / kind / "beetle.yaml" for kind in ("plant", "premotor", "robot", "supervisor")}
+        for kind, key, change, saying in (
+                ("plant", "start.middle_rad", "start: {middle_rad: [0.71, 0, 0]}",
+                 "0.71 is outside of the middle thoraco-coxal joint's range [-0.698"),
+                ("plant", "start.backbone_rad", "start: {backbone_rad: -1}", "-1 is outside of the backbone joint's"),
+                ("premotor", "motor.hind.c_offset_rad", "motor: {hind: {c_offset_rad: 0.35}}",
+                 "0.35 is outside of the hind coxa-trochanteral joint's range"),
+                ("supervisor", "stationary_hind_pose_rad", "stationary_hind_pose_rad: [0, 0, -0.1]",
+                 "-0.1 is outside of the hind femur-tibia joint's range [0, 1.5707963267948966] in "),
+                ("supervisor", "as.reference_rad", "as: {reference_rad: 1.0}",
+                 f"1 is not 1.013, motor.front.f_offset_rad of {others['premotor']}")):
+            with self.subTest(key=key):
+                wrong = self.write(f"{kind}/wrong.yaml", f"extends: {others[kind]}\n{change}\n")
+                self.assertEqual(scarab_config("check", wrong)[0], 0, "alone there is nothing wrong with it")
+                files = {**others, kind: wrong}.values()
+                self.assert_refused("match", *files, saying=f"{key}: {saying}")
+
+    def test_match_asks_nothing_of_an_absent_joint(self):
+        rigid = self.write("robot/rigid.yaml", f"extends: {BEETLE}\nbackbone: absent\n")
+        plant = self.write("plant/bent.yaml", f"extends: {CONFIG}/plant/beetle.yaml\nstart: {{backbone_rad: 3}}\n")
+        self.assertEqual(scarab_config("match", rigid, plant)[0], 0)
+
+    def test_match_takes_one_file_of_a_kind(self):
+        self.assert_refused("match", BEETLE, BEETLE, saying="both of kind robot")
+
     def test_schema_of_all_kinds_goes_to_a_folder(self):
         code, out, _ = scarab_config("schema", "--all", self.folder / "schema")
         self.assertEqual(code, 0)
@@ -91,12 +124,12 @@ class Tool(unittest.TestCase):
 
     def test_bad_command_lines_are_one_line(self):
         for arguments in ([], ["dump"], ["diff", BEETLE], ["dump", BEETLE, BEETLE], ["check"], ["chek", BEETLE],
-                          ["schema"], ["schema", "bird"], ["schema", "robot", "--all", "x"], ["check", "--no-such"]):
+                          ["match", BEETLE], ["schema"], ["schema", "bird"], ["schema", "robot", "--all", "x"], ["check", "--no-such"]):
             with self.subTest(arguments=arguments):
                 self.assert_refused(*arguments, saying="scarab-config: ")
 
     def test_every_subcommand_has_help_with_an_example(self):
-        for arguments in ([], ["check"], ["dump"], ["diff"], ["schema"]):
+        for arguments in ([], ["check"], ["dump"], ["diff"], ["match"], ["schema"]):
             code, out, err = scarab_config(*arguments, "--help")
             self.assertEqual((code, err), (0, ""))
             self.assertIn("Example: scarab-config ", out)
