@@ -21,11 +21,13 @@ using std::chrono::seconds;
 struct Backing {
   std::string service = "premotor";
   std::vector<scarab_Counter> counters;
+  std::vector<scarab_Histogram> histograms;
   std::vector<scarab_Contact> contacts;
 };
 
 // Every sample starts as memory full of 0xAA, so that padding is never zero by chance.
 void complete(scarab_RobotState& s, Backing&) {
+  s.real_time = true;
   s.phase = scarab_PHASE_SAFE_STOP;
   for (int i = 0; i < 19; ++i) {
     s.position_rad[i] = 0.1 * i;
@@ -38,6 +40,7 @@ void complete(scarab_RobotState& s, Backing&) {
 }
 
 void complete(scarab_Behaviour& s, Backing&) {
+  s.real_time = false;
   s.mode = scarab_MODE_SOFT_PUSH;
   s.hind_override = true;
   s.state = scarab_BEHAVIOUR_CLIMB;
@@ -75,10 +78,16 @@ void complete(scarab_ServiceStatus& s, Backing& backing) {
   backing.counters.resize(2);
   assign(backing.counters[1].name, "clamped");
   borrow(s.counters, backing.counters);
+  backing.histograms.resize(2);
+  assign(backing.histograms[1].name, "command_age");
+  backing.histograms[1].count[3] = 17;
+  borrow(s.histograms, backing.histograms);
 }
 
 void complete(scarab_Operator& s, Backing&) {
-  s.command = scarab_OPERATOR_RESET;
+  s.command = scarab_OPERATOR_STRATEGY;
+  s.mode = scarab_MODE_STOP;
+  assign(s.strategy, "soft+hard");
   assign(s.reason, "by hand");
 }
 
