@@ -3,10 +3,10 @@
 import os
 import shutil
 import time
-from pathlib import Path
 from typing import List, Optional
 
 from ..places import shown
+from ..run_directory import RunDirectory
 from .finding import Finding, note, ok, problem
 from .recorded import RecordedStack
 from .subject import Subject
@@ -33,7 +33,7 @@ def storage(subject: Subject) -> List[Finding]:
 
 def _filling(stack: RecordedStack, free: int) -> Optional[Finding]:
     """A stack that lasts fills the disk some day: when, at its present rate."""
-    rate = _bytes_per_s(stack.directory.path)
+    rate = _bytes_per_s(stack.directory)
     if rate <= 0 or free / rate > _TODAY_S:
         return None
     hours = free / rate / 3600
@@ -43,16 +43,14 @@ def _filling(stack: RecordedStack, free: int) -> Optional[Finding]:
     return problem(text, advice) if free / rate < _SOON_S else note(text, advice)
 
 
-def _bytes_per_s(directory: Path) -> float:
-    logs = list(directory.glob("trial*.mcap*"))
+def _bytes_per_s(directory: RunDirectory) -> float:
+    """Since the stack was started, when its configuration was written."""
     try:
-        begun = directory.stat().st_ctime if not logs else min(p.stat().st_ctime for p in logs)
-        size = sum(p.stat().st_size for p in logs)
-        begun = min(begun, (directory / "config").stat().st_mtime)
+        age_s = time.time() - directory.config.stat().st_mtime
+        size = sum(log.stat().st_size for log in directory.path.glob("trial*.mcap*"))
     except OSError:
         return 0.0
-    age = time.time() - begun
-    return size / age if age > _LEAST_AGE_S else 0.0
+    return size / age_s if age_s > _LEAST_AGE_S else 0.0
 
 
 def _amount(count: float) -> str:
