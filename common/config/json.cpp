@@ -10,7 +10,7 @@ namespace {
 
 using Kind = Value::Kind;
 
-constexpr std::size_t kLineLength = 100;
+constexpr std::size_t kLineLength = 120;
 constexpr std::string_view kHexDigits = "0123456789abcdef";
 
 std::string in_json_quotes(std::string_view text) {
