@@ -24,15 +24,15 @@ class OperatorLine {
   void end() { trial_ = 0; }
 
   /// Tells the machine what has been said since the last tick. `heard_ns`, the stamp of the last
-  /// word heard, is kept with the state: a restarted writer's or reader's repetition is no new
-  /// word.
+  /// word heard, is kept with the state: its repetition is no new word.
   void tell(const BehaviourMachine& machine, MachineState& state, std::uint32_t tick,
             std::int64_t& heard_ns);
 
   /// This state is safe now: its last word is to be acknowledged.
   void acknowledge(const MachineState& state, std::int64_t heard_ns);
 
-  /// Says what is to be acknowledged; refuses what is said while no trial runs.
+  /// Takes what has arrived, says what is to be acknowledged; refuses what is said while no trial
+  /// runs.
   void report(runtime::StatusPublisher& status);
 
  private:
