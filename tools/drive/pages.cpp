@@ -21,9 +21,9 @@ std::vector<Line> key_lines(const Keyboard& keyboard) {
         {{kEmergencyHint, Style::kDim}}};
   }
   return {{{"SPACE EMERGENCY STOP", Style::kAlarm},
-           {" r reset p pause g go n next t trial e end ? help q quit"}},
+           {"  r reset  p pause  g go  n next tick  ? help  q quit"}},
           {{"mode: o stop  f forward  b backward  s soft  x boxing  i stationary  h hard"}},
-          {{"a automatic  m strategies  1-4 choose an input, up/down change it by hand"}}};
+          {{"a automatic  m strategies  1-4 and up/down: inputs  t trial  e end the trial"}}};
 }
 
 std::vector<Line> help_page() {
