@@ -6,7 +6,7 @@ _scarab() {
   local program=${(Q)words[1]} line
   program=${program/#\~/$HOME}
   local -a whole open notes_whole notes_open
-  for line in ${(f)"$("$program" __complete words "${(@Q)words[2,CURRENT-1]}" "${(Q)PREFIX}" 2>/dev/null)}"; do
+  for line in ${(f)"$("$program" __complete words "${(@Q)words[2,CURRENT-1]}" "${(Q)PREFIX}" 2>/dev/null)"}; do
     case ${line%%$'\t'*} in
       */ | *=) open+=("${line%%$'\t'*}"); notes_open+=("${line/$'\t'/  -- }") ;;
       *) whole+=("${line%%$'\t'*}"); notes_whole+=("${line/$'\t'/  -- }") ;;
