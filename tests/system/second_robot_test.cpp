@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <string>
 
 #include "common/config/robot_file.hpp"
@@ -66,6 +67,22 @@ TEST_P(SecondRobot, WalksAlongItsHeadingUprightAndOnItsFeet) {
                                             << " was off the ground " << air << " of the time";
     }
   }
+}
+
+/// The first robot walks too; its object is put out of the way.
+TEST_P(SecondRobot, IsNotTheOnlyOneThatWalks) {
+  const auto plant = directory_ / "far.yaml";
+  write_text(plant, "extends: " + source_file("config/plant/beetle.yaml").string() +
+                        "\nobject: {start_distance_m: 5.0}\n");
+  const auto log = directory_ / "beetle.mcap";
+  Arguments command = simulate(log, walk_trial(GetParam(), "1"), "beetle");
+  *std::next(std::find(command.begin(), command.end(), "--plant")) = plant;
+  const auto sim = run(command, kTrialLimit);
+  ASSERT_EQ(sim.exit_code, 0) << sim.out << sim.err;
+  const Walk walk = read_walk(log);
+  EXPECT_GT(direction() * walk.ahead_m, 1.5);
+  EXPECT_LT(std::abs(walk.turned_rad), 0.6);
+  EXPECT_LT(walk.tilt_most_rad, 0.15);
 }
 
 TEST_P(SecondRobot, IsToldNothingThatItsServosCannotDo) {
