@@ -32,8 +32,16 @@ Arguments shipped_files(const std::string& service, const std::string& robot) {
   return arguments;
 }
 
+Arguments command_on(const Host& host, const std::string& name) {
+  Arguments command = host.enter;
+  command.push_back(program(name));
+  if (!host.has_own_network) append(command, {"--tag", test_tag()});
+  append(command, host.bus);
+  return command;
+}
+
 ChildProcess start(const ServiceLaunch& launch) {
-  Arguments command = {program("scarab-" + launch.name), "--tag", test_tag()};
+  Arguments command = command_on(launch.host, "scarab-" + launch.name);
   append(command, shipped_files(launch.name, launch.robot));
   append(command, {"--instance", std::to_string(launch.instance)});
   if (!launch.expect.empty()) append(command, {"--expect", launch.expect});

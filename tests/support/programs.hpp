@@ -19,6 +19,16 @@ std::string program(const std::string& name);
 /// The files of a service as the project ships them for a robot: --robot and --config.
 Arguments shipped_files(const std::string& service, const std::string& robot = "beetle");
 
+/// Where a program runs, and how it joins the bus there; this host, unless said.
+struct Host {
+  Arguments enter;               ///< what its command line begins with
+  Arguments bus;                 ///< such as --interface eth1
+  bool has_own_network = false;  ///< needs no tag to be apart from others
+};
+
+/// How a program of this build is started on a host: its name, the test's tag, the host's bus.
+Arguments command_on(const Host& host, const std::string& name);
+
 /// How a service of the running test is started.
 struct ServiceLaunch {
   std::string name;    ///< plant, supervisor, premotor, logger
@@ -27,6 +37,7 @@ struct ServiceLaunch {
   std::uint32_t instance = 0;
   Arguments more;
   std::string robot = "beetle";  ///< whose files
+  Host host = {};
 };
 
 /// Starts it with the shipped files on the test's tag; its output goes to `<run_dir>/<name>-<i>.*`.

@@ -1,7 +1,5 @@
 #include "tests/system/stack.hpp"
 
-#include "tests/support/test_bus.hpp"
-
 namespace scarab::test {
 
 Stack::Stack(const std::filesystem::path& directory, const Options& options)
@@ -22,7 +20,8 @@ ChildProcess Stack::launch(const Key& key) const {
   Arguments more;
   if (key.first == "logger") more = {"--output", log()};
   if (key.first == "plant" && options_.real_time) more = {"--pace", "realtime"};
-  return start({key.first, expect_, directory_, key.second, more, options_.robot});
+  const Host& host = key.first == "plant" ? options_.plant_host : options_.host;
+  return start({key.first, expect_, directory_, key.second, more, options_.robot, host});
 }
 
 ChildProcess& Stack::service(const std::string& name, std::uint32_t instance) {
@@ -40,7 +39,8 @@ void Stack::restart(const std::string& name, std::uint32_t instance) {
 }
 
 ChildProcess Stack::conduct(const Arguments& options) const {
-  Arguments command = {program("scarab-experiment"), "--tag", test_tag(), "--expect", expect_};
+  Arguments command = command_on(options_.host, "scarab-experiment");
+  command.insert(command.end(), {"--expect", expect_});
   command.insert(command.end(), options.begin(), options.end());
   return {command, directory_ / "experiment"};
 }

@@ -16,6 +16,8 @@ class Stack {
     bool witness = false;  ///< a Witness of the test takes part
     std::string robot = "beetle";
     bool real_time = false;  ///< the plant's pace: by the wall clock, else lockstep
+    Host plant_host = {};
+    Host host = {};  ///< of all others, the experiment too
   };
 
   /// Starts all services; `directory` is made and becomes their run directory.
