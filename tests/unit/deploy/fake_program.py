@@ -115,6 +115,17 @@ def experiment():
     return int(order("exit-code") or 0)
 
 
+def tool():
+    """Ends as it is told to; one told to hold ends as all tools do when they are interrupted."""
+    (FOLDER / f"{NAME}.command").write_text("\n".join(sys.argv[1:]))
+    stopped = []
+    signal.signal(signal.SIGINT, lambda *_: stopped.append(1))
+    if order("hold"):
+        journal("start")
+        wait_until(lambda: stopped, 60)
+    return 130 if stopped else int(order("exit-code") or 0)
+
+
 def main():
     if "--check" in sys.argv:
         if order("refuse"):
@@ -128,6 +139,8 @@ def main():
         return status()
     if NAME == "scarab-experiment":
         return experiment()
+    if NAME in ("scarab-operator", "scarab-sim", "scarab-topic", "scarab-drive"):
+        return tool()
     if NAME == "scarab-log":
         print("header.sim_time_ns")
         return 1

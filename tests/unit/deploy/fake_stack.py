@@ -14,7 +14,8 @@ SOURCE_ROOT = Path(__file__).resolve().parents[3]
 SCARAB = SOURCE_ROOT / "deploy" / "scarab"
 PATIENCE_S = 30.0
 PROGRAMS = ("scarab-logger", "scarab-plant", "scarab-premotor", "scarab-supervisor",
-            "scarab-status", "scarab-experiment", "scarab-log")
+            "scarab-status", "scarab-experiment", "scarab-log", "scarab-operator", "scarab-sim",
+            "scarab-topic", "scarab-drive")
 
 sys.path.insert(0, str(SOURCE_ROOT / "deploy"))
 
