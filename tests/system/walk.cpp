@@ -25,7 +25,7 @@ Eigen::Quaterniond turn(const scarab_Pose& pose) {
 }
 
 Eigen::Vector3d place(const scarab_Pose& pose) {
-  return Eigen::Vector3d(pose.position_m[0], pose.position_m[1], pose.position_m[2]);
+  return {pose.position_m[0], pose.position_m[1], pose.position_m[2]};
 }
 
 double yaw(const scarab_Pose& pose) {

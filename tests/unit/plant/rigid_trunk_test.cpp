@@ -11,6 +11,8 @@
 namespace scarab::plant {
 namespace {
 
+constexpr double kClose = 1e-8;  // rounding, grown over 1000 steps with contact
+
 robot::RobotModel phantomx() {
   return config::load_robot(SCARAB_SOURCE_DIR "/config/robot/phantomx.yaml");
 }
@@ -33,7 +35,6 @@ WorldTruth stepped(const robot::RobotModel& robot) {
 }
 
 void expect_same_motion(const WorldTruth& a, const WorldTruth& b) {
-  constexpr double kClose = 1e-8;  // rounding, grown over 600 steps with contact
   for (std::size_t i = 0; i < 3; ++i) {
     EXPECT_NEAR(a.trunk.position_m[i], b.trunk.position_m[i], kClose);
     EXPECT_NEAR(a.trunk_twist.linear_m_s[i], b.trunk_twist.linear_m_s[i], 100 * kClose);

@@ -20,6 +20,9 @@
 namespace scarab::robot {
 namespace {
 
+constexpr int kTicks = 20000;
+constexpr double kTwoPi = 6.283185307179586476925;
+
 std::string file(const std::string& folder, const std::string& robot) {
   return SCARAB_SOURCE_DIR "/config/" + folder + "/" + robot + ".yaml";
 }
@@ -50,8 +53,6 @@ double spread(const LegVector& values) {
 
 /// Mean period of the oscillator, ticks.
 double cpg_period_ticks(const premotor::NetworkConfig& config, const std::array<double, 2>& start) {
-  constexpr int kTicks = 20000;
-  constexpr double kTwoPi = 6.283185307179586476925;
   const premotor::PremotorNetwork network(config);
   premotor::NetworkState state;
   state.cpg = start;
