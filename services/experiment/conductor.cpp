@@ -12,6 +12,8 @@ using Clock = std::chrono::steady_clock;
 constexpr std::chrono::milliseconds kPoll{5};
 constexpr std::chrono::milliseconds kWatchPoll{50};
 constexpr std::chrono::seconds kPatience{1};
+// Beyond the lease of a service's status: what has none has been silent for that long already.
+constexpr std::chrono::milliseconds kGonePatience{250};
 constexpr std::chrono::seconds kRecordLimit{10};
 
 }  // namespace
@@ -65,6 +67,7 @@ Outcome Conductor::run(scarab_Trial trial, std::chrono::seconds silence_limit) {
   TrialWatch watch(trial);
   watch_ = &watch;
   told_ = heard_ = plant_seen_ = Clock::now();
+  plant_gone_ = false;
   told_ns_ = trial.header.stamp_ns = bus::now_ns();
   trials_.write(trial);
   std::size_t shown = 0;
@@ -116,7 +119,8 @@ void Conductor::watch_for_trouble(TrialWatch& watch, std::chrono::seconds silenc
   }
   // Nobody restarts a plant in the middle of a trial.
   if (expect_.count("plant") == 0 || board_.find({"plant", 0})) plant_seen_ = Clock::now();
-  if (Clock::now() - plant_seen_ > kPatience) {
+  plant_gone_ = Clock::now() - plant_seen_ > kGonePatience;
+  if (plant_gone_) {
     watch.fail("plant/0 is gone");
     return;
   }
@@ -147,7 +151,7 @@ void Conductor::await_record(const TrialWatch& watch) {
   while (Clock::now() - since < kRecordLimit) {
     const auto& changes = watch.outcome().changes;
     const bool told =
-        at_fault() ||  // nobody is left to say that it has ended
+        at_fault() || plant_gone_ ||  // nobody is left to say that it has ended
         (!changes.empty() && (changes.back().state == "done" || changes.back().state == "failed"));
     if (told && recorded()) return;
     if (!told && Clock::now() - since > kPatience && recorded()) return;

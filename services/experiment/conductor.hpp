@@ -73,6 +73,7 @@ class Conductor {
   std::chrono::steady_clock::time_point told_{};        // the running trial was
   std::chrono::steady_clock::time_point plant_seen_{};  // on the board
   std::int64_t told_ns_ = 0;                            // as the trial's stamp
+  bool plant_gone_ = false;
 };
 
 }  // namespace scarab::experiment

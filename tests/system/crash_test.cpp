@@ -11,6 +11,7 @@
 namespace scarab::test {
 namespace {
 
+using testing::AllOf;
 using testing::HasSubstr;
 using testing::Not;
 
@@ -118,9 +119,14 @@ TEST_F(Crash, KillOfThePlantFailsTheTrialSoon) {
   Stack stack(directory_ / "stack");
   auto experiment = stack.conduct(main_trial());
   ASSERT_TRUE(await_part(0.1)) << experiment.out() << stack.errors();
+  const auto killed_at = std::chrono::steady_clock::now();
   stack.kill("plant");
-  EXPECT_EQ(experiment.wait(std::chrono::seconds(10)), 1) << experiment.out();
-  EXPECT_THAT(experiment.out(), HasSubstr("plant/0"));
+  ASSERT_TRUE(eventually([&] { return experiment.out().find("result: ") != std::string::npos; }))
+      << experiment.out() << stack.errors();
+  const std::chrono::duration<double> told_after = std::chrono::steady_clock::now() - killed_at;
+  EXPECT_LT(told_after.count(), 2.0);
+  EXPECT_THAT(experiment.out(), AllOf(HasSubstr("result: failure"), HasSubstr("plant/0 is gone")));
+  EXPECT_EQ(experiment.wait(kTrialLimit), 1) << experiment.out();
 }
 
 }  // namespace

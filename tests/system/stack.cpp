@@ -16,6 +16,10 @@ Stack::Stack(const std::filesystem::path& directory, const Options& options)
   }
 }
 
+Stack::~Stack() {
+  for (auto& [key, child] : services_) child.kill();
+}
+
 ChildProcess Stack::launch(const Key& key) const {
   Arguments more;
   if (key.first == "logger") more = {"--output", log()};

@@ -24,6 +24,11 @@ class Stack {
   explicit Stack(const std::filesystem::path& directory, const Options& options);
   explicit Stack(const std::filesystem::path& directory) : Stack(directory, Options{}) {}
 
+  /// Kills what lives: how it ends is of no interest to a test that has not called stop().
+  ~Stack();
+  Stack(const Stack&) = delete;
+  Stack& operator=(const Stack&) = delete;
+
   ChildProcess& service(const std::string& name, std::uint32_t instance = 0);
   /// SIGKILL.
   void kill(const std::string& name, std::uint32_t instance = 0);
