@@ -194,9 +194,10 @@ std::vector<Line> main_page(const Live& live, const Keyboard& keyboard, const No
 }  // namespace
 
 std::string too_small(Size size) {
-  return "the terminal is too small: " + std::to_string(kSmallest.columns) + " x " +
-         std::to_string(kSmallest.rows) + " characters are needed, it has " +
-         std::to_string(size.columns) + " x " + std::to_string(size.rows);
+  const auto phrase = [](Size of) {
+    return std::to_string(of.columns) + " x " + std::to_string(of.rows);
+  };
+  return "needs a terminal of " + phrase(kSmallest) + ", this one has " + phrase(size);
 }
 
 std::vector<Line> draw(const Live& live, const Keyboard& keyboard,

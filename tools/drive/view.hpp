@@ -27,7 +27,7 @@ struct Notice {
 std::vector<Line> draw(const Live& live, const Keyboard& keyboard,
                        const std::vector<std::string>& strategies, const Notice& notice, Size size);
 
-/// A screen is too small for the view; in words.
+/// In words that a screen is too small, short enough for most that are.
 std::string too_small(Size size);
 
 }  // namespace scarab::drive

@@ -225,8 +225,7 @@ TEST(View, NeedsAllOfTheSmallestTerminalOnly) {
 
 TEST(View, SaysWhatATooSmallTerminalLacks) {
   EXPECT_THAT(text_of(lines_of(walking(), {}, {}, {70, 24})), HasSubstr("80 x 24"));
-  EXPECT_EQ(too_small({70, 20}),
-            "the terminal is too small: 80 x 24 characters are needed, it has 70 x 20");
+  EXPECT_EQ(too_small({70, 20}), "needs a terminal of 80 x 24, this one has 70 x 20");
 }
 
 }  // namespace
