@@ -3,68 +3,70 @@
 import argparse
 import os
 import sys
-from pathlib import Path
-from typing import List
 
 from .failure import EXIT_FAILURE, EXIT_OK, Failure, UsageError
-from .foreground import run_in_front
 from .places import Places, shown
-from .process_identity import ProcessIdentity, read_json
 from .run_directory import RunDirectory
-from .running_stack import RunningStack, choose_stack, running_stacks
+from .running_stack import choose_stack
 from .service_child import last_lines
 from .signals import Signals
+from .status.onlooker import Onlooker
+from .status.screen import Screen
+from .status.show import shown_as
 from .strict_yaml import did_you_mean
+
+_SHORTEST_S, _LONGEST_S = 0.2, 3600.0
+
+
+def add_options(parser: argparse.ArgumentParser) -> None:
+    parser.add_argument("--watch", action="store_true",
+                        help="again and again, until Ctrl-C; drawn over itself on a terminal")
+    parser.add_argument("--period", type=_period, default=1.0, metavar="S",
+                        help="seconds between two looks of --watch (1)")
+    parser.add_argument("--json", action="store_true",
+                        help="one JSON document, with --watch one a line; tools/status/README.md has "
+                             "its keys")
 
 
 def status(options: argparse.Namespace, places: Places) -> int:
-    """0 if a stack runs and all its processes live, else 1."""
+    """0 if a stack runs and all is well with those that run; with --watch 0 when it is stopped."""
     signals = Signals()
-    stacks = [s for s in running_stacks(places.runs) if options.domain in (None, s.bus.domain)]
-    if not stacks:
-        print("no stack is running")
-        return EXIT_FAILURE
-    whole = True
-    for stack in stacks:
-        whole &= _show_processes(stack)
-        sys.stdout.flush()
-        code = run_in_front([places.program("scarab-status"), *stack.bus.arguments()], signals)
-        whole &= code == 0
-    return EXIT_OK if whole else EXIT_FAILURE
+    with Onlooker(places, options.domain, options.period if options.watch else None) as onlooker:
+        if options.watch:
+            return _watch(onlooker, signals, options.json)
+        pictures = onlooker.look(signals)
+        signals.raise_if_stop_requested()
+        troubles = onlooker.troubles(pictures)
+        print("\n".join(shown_as(pictures, troubles, options.json, sys.stdout)))
+        return EXIT_FAILURE if troubles else EXIT_OK
 
 
-def _show_processes(stack: RunningStack) -> bool:
-    state = "ready" if stack.ready else "starting"
-    print(f"DDS domain {stack.bus.domain}, {stack.kind.value} stack, {state}: "
-          f"{shown(stack.directory.path)}")
-    alive = {file.stem: _restarts(file) for file in sorted(stack.directory.pids.glob("*.json"))
-             if _lives(file)}
-    whole = True
-    for name in _expected_processes(stack.expected):
-        if name in alive:
-            restarts = f", restarted {alive[name]} times" if alive[name] else ""
-            print(f"  {name:16} running{restarts}")
-        else:
-            print(f"  {name:16} NOT RUNNING; deploy/scarab logs {name}")
-            whole = False
-    return whole
+def _watch(onlooker: Onlooker, signals: Signals, as_json: bool) -> int:
+    if as_json:
+        while not signals.stop_requested:
+            pictures = onlooker.look(signals)
+            if not signals.stop_requested:
+                text = shown_as(pictures, onlooker.troubles(pictures), True, sys.stdout, one_line=True)
+                print(*text, flush=True)
+        return EXIT_OK
+    with Screen(sys.stdout) as screen:
+        while not signals.stop_requested:
+            pictures = onlooker.look(signals)
+            if not signals.stop_requested:
+                screen.draw(shown_as(pictures, onlooker.troubles(pictures), False, sys.stdout))
+    return EXIT_OK
 
 
-def _expected_processes(expected: str) -> List[str]:
-    names = []
-    for part in expected.split(","):
-        name, count = part.split("=")
-        names += [name if i == 0 else f"{name}-{i}" for i in range(int(count))]
-    return names
-
-
-def _lives(file: Path) -> bool:
-    value = read_json(file)
-    return value is not None and ProcessIdentity.from_json(value).alive()
-
-
-def _restarts(file: Path) -> int:
-    return int((read_json(file) or {}).get("restarts", 0))
+def _period(text: str) -> float:
+    """An argparse type: seconds."""
+    try:
+        value = float(text)
+    except ValueError:
+        raise argparse.ArgumentTypeError(f"'{text}' is not a number of seconds") from None
+    if not _SHORTEST_S <= value <= _LONGEST_S:
+        raise argparse.ArgumentTypeError(
+            f"{text} is out of range [{_SHORTEST_S:g}, {_LONGEST_S:g}]")
+    return value
 
 
 def logs(options: argparse.Namespace, places: Places) -> int:

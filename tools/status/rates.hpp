@@ -1,8 +1,8 @@
 #pragma once
 
-#include <cstdint>
+#include <chrono>
+#include <deque>
 #include <map>
-#include <optional>
 
 #include "common/runtime/status_board.hpp"
 
@@ -15,22 +15,27 @@ struct Rate {
 };
 
 /// Rates of all services, from the (tick, simulated time, stamp) that their reports carry: no other
-/// topic is read, so that looking on costs the stack nothing.
+/// topic is read, so that looking on costs the stack nothing. A report is up to one tick older than
+/// its stamp, so that the rate over kWindow is right to a tick in that time.
 class RateMeter {
  public:
+  using TimePoint = std::chrono::steady_clock::time_point;
+
+  static constexpr std::chrono::seconds kWindow{5};
+  /// A service that goes on reports more often than this.
+  static constexpr std::chrono::seconds kStandstill{1};
+
   /// Takes in what the board shows now; to be called at every change of it.
-  void observe(const runtime::StatusBoard& board);
-  /// Between the first and the last observation since the last restart(); 0 where nothing moved.
-  [[nodiscard]] Rate of(const bus::Peer& peer) const;
-  /// Begins the next window.
-  void restart();
+  void observe(const std::map<bus::Peer, runtime::ServiceReport>& reports, TimePoint now);
+  /// Over the last kWindow of its trial; 0 for who has stood still for kStandstill.
+  [[nodiscard]] Rate of(const bus::Peer& peer, TimePoint now) const;
 
  private:
-  struct Window {
-    scarab_Header first{};
-    scarab_Header last{};
+  struct Track {
+    std::deque<scarab_Header> headers;  // of one trial, oldest first
+    TimePoint moved{};
   };
-  std::map<bus::Peer, Window> windows_;
+  std::map<bus::Peer, Track> tracks_;
 };
 
 }  // namespace scarab::status

@@ -59,7 +59,7 @@ class Onlooker {
     while (!asked_to_stop() && Clock::now() - since < limit) {
       wait_set_.wait(kPoll);
       board_.update();
-      rates_.observe(board_);
+      rates_.observe(board_.reports(), Clock::now());
       if (done()) return;
     }
   }
@@ -67,7 +67,7 @@ class Onlooker {
   [[nodiscard]] bool asked_to_stop() const { return shutdown_.requested(); }
   [[nodiscard]] const runtime::StatusBoard& board() const { return board_; }
 
-  /// What was seen since the last call.
+  /// What is known now.
   Snapshot snapshot() {
     participants_.update();
     discovery_.update();
@@ -78,9 +78,8 @@ class Onlooker {
       }
     }
     for (const auto& [peer, report] : board_.reports()) {
-      snapshot.services.push_back({report, host_of(peer), rates_.of(peer)});
+      snapshot.services.push_back({report, host_of(peer), rates_.of(peer, Clock::now())});
     }
-    rates_.restart();
     return snapshot;
   }
 
