@@ -120,6 +120,24 @@ TEST_P(BadFile, DumpedConfigurationIsReadBackTheSame) {
   EXPECT_EQ(second.out, first.out);
 }
 
+/// A robot may be described that Simbody cannot move.
+using BadRobot = BadInput;
+
+TEST_P(BadRobot, ASegmentWithoutLengthIsRefusedBeforeAnythingStarts) {
+  Arguments files = shipped_files(name());
+  std::string text = read_text(file_of(files, "--robot"));
+  const std::string coxa = "coxa: {length_m: 0.035";
+  text.replace(text.find(coxa), coxa.size(), "coxa: {length_m: 0.0");
+  file_of(files, "--robot") = files_ / "robot.yaml";
+  write_text(files_ / "robot.yaml", text);
+  const auto result = run_with_files(files, {});
+  expect_refused(result);
+  EXPECT_THAT(result.err, HasSubstr("robot.yaml:1:1: (top level): leg segment length"));
+}
+
+INSTANTIATE_TEST_SUITE_P(Services, BadRobot, testing::Values("plant"),
+                         [](const auto& of_case) { return std::string(of_case.param); });
+
 INSTANTIATE_TEST_SUITE_P(Services, BadFile, testing::Values("plant", "supervisor", "premotor"),
                          [](const auto& of_case) { return std::string(of_case.param); });
 
