@@ -59,6 +59,7 @@ class TickMaster {
   void await_until(TickPacer::TimePoint time);
   void move_body();
   void await_logger();
+  [[nodiscard]] std::optional<bus::Peer> logger_behind(std::uint32_t lead) const;
   void take_commands();
   void take_operator();
   void wait(std::chrono::nanoseconds timeout);

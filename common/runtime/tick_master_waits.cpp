@@ -68,22 +68,31 @@ void TickMaster::await_until(TickPacer::TimePoint time) {
   for (auto left = time - Clock::now(); left.count() > 0; left = time - Clock::now()) wait(left);
 }
 
-/// Keeps the lead over an expected logger small enough that nothing it has not taken yet is
+/// The first expected logger that has not recorded the tick `lead` ticks ago.
+std::optional<bus::Peer> TickMaster::logger_behind(std::uint32_t lead) const {
+  const auto expected = expect_.find("logger");
+  if (expected == expect_.end() || tick_ < lead) return std::nullopt;
+  for (std::uint32_t instance = 0; instance < expected->second; ++instance) {
+    const auto* logger = board_.find({"logger", instance});
+    if (!logger || logger->recorded_trial != trial_ || logger->recorded_tick + lead < tick_) {
+      return bus::Peer{"logger", instance};
+    }
+  }
+  return std::nullopt;
+}
+
+/// Keeps the lead over every expected logger small enough that nothing it has not taken yet is
 /// overwritten.
 void TickMaster::await_logger() {
-  if (options_.pace != Pace::kLockstep || expect_.count("logger") == 0) return;
+  if (options_.pace != Pace::kLockstep) return;
   const std::uint32_t lead = std::max(1U, kHistoryDepth / options_.samples_per_tick - 2);
   const auto since = Clock::now();
-  const auto behind = [&] {
-    const auto* logger = board_.find({"logger", 0});
-    return tick_ >= lead &&
-           (!logger || logger->recorded_trial != trial_ || logger->recorded_tick + lead < tick_);
-  };
-  while (behind()) {
+  while (const auto logger = logger_behind(lead)) {
     wait(kPoll);
     const auto silent = Clock::now() - since;
     if (silent < options_.report_silence) continue;
-    const std::string what = "logger/0 has not recorded tick " + std::to_string(tick_ - lead);
+    const std::string what =
+        bus::to_string(*logger) + " has not recorded tick " + std::to_string(tick_ - lead);
     status_.set_health(scarab_HEALTH_WAITING, what);
     if (silent < options_.give_up) continue;
     body_.end({false, what + " for " + std::to_string(options_.give_up.count()) + " s"});
