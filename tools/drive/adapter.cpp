@@ -41,6 +41,7 @@ const runtime::Histogram& histogram(const ServiceReport& report, const std::stri
 
 void see_tick_master(Live& live, const ServiceReport& report) {
   constexpr double kNearlyAll = 0.99;
+  live.tick_master_answers = true;
   live.tick_master_says = report.message;
   live.trial_runs = report.lifecycle == scarab_LIFECYCLE_ACTIVE;
   live.safe_stop = begins_with(report.message, "safe stop");
@@ -84,7 +85,7 @@ void see(Live& live, const scarab_Behaviour& behaviour) {
 void see(Live& live, const runtime::StatusBoard& board, const std::string& tick_master) {
   live.tick_master = tick_master;
   live.tick_master_says.clear();
-  live.trial_runs = live.safe_stop = false;
+  live.tick_master_answers = live.trial_runs = live.safe_stop = false;
   live.refused.clear();
   live.clamped = 0;
   live.timing = {};

@@ -68,7 +68,10 @@ class Driver {
     }
     try {
       stack_.say(order);
-      notice_ = {order.name + " ...", Concern::kNone};
+      notice_ = stack_.live().tick_master.empty()
+                    ? Notice{order.name + ": no tick master is there; it is for the first to come",
+                             Concern::kFault}
+                    : Notice{order.name + " ...", Concern::kNone};
     } catch (const bus::Error& error) {  // the driver must keep the wheel
       notice_ = {order.name + ": " + error.what(), Concern::kFault};
     }
@@ -79,6 +82,10 @@ class Driver {
       wants_trial_ = false;
       notice_ = {"trial: trial " + std::to_string(stack_.live().trial) + " runs already",
                  Concern::kWaits};
+      return;
+    }
+    if (stack_.trial_is_starting()) {
+      wants_trial_ = false;
       return;
     }
     const std::string missing = stack_.missing_for_trial();

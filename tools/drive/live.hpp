@@ -30,8 +30,9 @@ struct Timing {
 
 /// All that is known of the running stack: what the view shows.
 struct Live {
-  std::string where;        ///< such as "domain 0"
-  std::string tick_master;  ///< such as plant/0; empty: none is there
+  std::string where;                 ///< such as "domain 0"
+  std::string tick_master;           ///< such as plant/0; empty: none is there
+  bool tick_master_answers = false;  ///< its status is alive
   std::string tick_master_says;
   bool trial_runs = false;
   bool safe_stop = false;  ///< latched, whether a trial runs or not

@@ -16,6 +16,7 @@ namespace {
 
 constexpr std::chrono::seconds kAnswerLimit{3};
 constexpr std::chrono::seconds kRateSpan{1};
+constexpr std::chrono::seconds kStartLimit{2};
 
 bus::ReaderOptions view() {
   bus::ReaderOptions options;
@@ -136,7 +137,12 @@ std::uint32_t Stack::tell_trial(const runtime::TrialOptions& options) {
   scarab_Trial trial = runtime::make_trial(options, 0, own_trial_);
   trial.header.stamp_ns = bus::now_ns();
   trials_.write(trial);
+  told_ = Clock::now();
   return own_trial_;
+}
+
+bool Stack::trial_is_starting() const {
+  return own_trial_ > live_.trial && Clock::now() - told_ < kStartLimit;
 }
 
 bool Stack::runs_own_trial() const {

@@ -40,6 +40,8 @@ class Stack {
   [[nodiscard]] std::string missing_for_trial() const;
   /// Tells a new trial; returns its number.
   std::uint32_t tell_trial(const runtime::TrialOptions& options);
+  /// It was told just now, and everybody is getting ready.
+  [[nodiscard]] bool trial_is_starting() const;
   /// The trial that runs is one that this program has told.
   [[nodiscard]] bool runs_own_trial() const;
 
@@ -69,6 +71,7 @@ class Stack {
   std::optional<OpenOrder> open_;
   std::int64_t last_stamp_ns_ = 0;
   std::uint32_t own_trial_ = 0;
+  Clock::time_point told_{};
   std::uint32_t rate_trial_ = 0;
   std::uint32_t rate_tick_ = 0;
   Clock::time_point rate_since_{};

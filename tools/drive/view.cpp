@@ -35,9 +35,11 @@ Line title(const Live& live) {
   Line line = {{"Scarab", Style::kBold}, {"  " + live.where + "  ", Style::kDim}};
   if (live.tick_master.empty()) {
     line.push_back({"no tick master (plant or robot bridge) is there", Style::kWarning});
+  } else if (!live.tick_master_answers) {
+    line.push_back({"tick master " + live.tick_master + " does not answer", Style::kAlarm});
   } else {
-    line.push_back(
-        {"tick master " + live.tick_master + (live.real_time ? ", real time" : ", lockstep")});
+    const char* pace = live.trial == 0 ? "" : live.real_time ? ", real time" : ", lockstep";
+    line.push_back({"tick master " + live.tick_master + pace});
   }
   return line;
 }

@@ -18,6 +18,12 @@ constexpr std::chrono::milliseconds kListenerLimit = 3s;
 constexpr std::chrono::milliseconds kAnswerLimit = 3s;
 constexpr std::chrono::milliseconds kStepLimit = 300ms;  // for each step more, in real time
 
+/// What nobody must take for done.
+std::string warning(const Order& order) {
+  const bool emergency = order.command == scarab_OPERATOR_EMERGENCY_STOP;
+  return emergency ? "THE EMERGENCY STOP DID NOT GET THROUGH: " : "";
+}
+
 int fail(const std::string& what) {
   std::cerr << "scarab-operator: " << what << '\n';
   return runtime::kExitFailure;
@@ -45,8 +51,8 @@ int report_silence(const Exchange& exchange, const bus::Peer& listener, const Or
     return runtime::kExitSuccess;
   }
   const std::string stands = tick_master ? "; " + sentence(*tick_master) : "";
-  return fail(bus::to_string(listener) + " has not acknowledged '" + order.name + "' within " +
-              std::to_string(kAnswerLimit / 1s) + " s" + stands);
+  return fail(warning(order) + bus::to_string(listener) + " has not acknowledged '" + order.name +
+              "' within " + std::to_string(kAnswerLimit / 1s) + " s" + stands);
 }
 
 /// An emergency stop is said before anybody is found: it is handed to the tick master the moment

@@ -137,7 +137,9 @@ TEST(OperatorAnswer, WhoDoesNotAcknowledgeIsNamed) {
   const DeafTickMaster deaf;
   const auto silent = operate({"estop"});
   EXPECT_EQ(silent.exit_code, 1);
-  EXPECT_EQ(silent.err, "scarab-operator: plant/0 has not acknowledged 'estop' within 3 s\n");
+  EXPECT_EQ(silent.err,
+            "scarab-operator: THE EMERGENCY STOP DID NOT GET THROUGH: plant/0 has not acknowledged "
+            "'estop' within 3 s\n");
 }
 
 TEST(OperatorAnswer, InterruptedNothingIsSure) {

@@ -19,6 +19,7 @@ Live walking() {
   Live live;
   live.where = "domain 3";
   live.tick_master = "plant/0";
+  live.tick_master_answers = true;
   live.trial_runs = true;
   live.trial = 7;
   live.tick = 421;
@@ -141,6 +142,12 @@ TEST(View, SaysThatNothingIsThere) {
   over.trial_runs = false;
   over.phase = "failed";
   EXPECT_THAT(text_of(lines_of(over)), HasSubstr("failed; no trial runs: t starts one"));
+}
+
+TEST(View, TickMasterThatIsGoneCannotBeOverlooked) {
+  Live live = walking();
+  live.tick_master_answers = false;
+  EXPECT_TRUE(has_style(lines_of(live), Style::kAlarm, "plant/0 does not answer"));
 }
 
 TEST(View, AsksBeforeAReset) {
