@@ -9,10 +9,12 @@ from pathlib import Path
 from typing import List, Optional
 
 from ..places import shown
+from ..stack import Bus
 from .finding import Finding, note, ok, problem
 from .ports import PARTICIPANT_INDICES, multicast_ports, unicast_ports
 from .sockets import Program, owners, udp_sockets, unix_socket_inode
 from .subject import Subject
+from .survey import speaks_scarab, who
 
 _TOOLS_BESIDE = 4  # experiment, status and the like, beside the services
 
@@ -27,7 +29,7 @@ def domain(subject: Subject) -> List[Finding]:
                             f"{shown(own.directory.path)}"))
             continue
         keeper = _claimant(bus.domain)
-        found.append(_taken(bus.domain, keeper) if keeper else _free(subject, bus.domain))
+        found.append(_taken(bus.domain, keeper) if keeper else _free(subject, bus))
     return found
 
 
@@ -57,14 +59,16 @@ def _next_free(number: int) -> int:
     return next(n for n in range(number + 1, 232) if unix_socket_inode(f"scarab-domain-{n}") is None)
 
 
-def _free(subject: Subject, number: int) -> Finding:
-    others = [p for p in subject.dds_processes if p.domain == number]
+def _free(subject: Subject, bus: Bus) -> Finding:
+    others = [str(p.program) for p in subject.dds_processes if p.domain == bus.domain]
+    others += [who(p) for p in subject.seen(bus).participants
+               if p["host"] not in ("", subject.host) and speaks_scarab(p)]
     if not others:
-        return ok(f"DDS domain {number} is free")
-    names = ", ".join(str(p.program) for p in others)
-    return note(f"no stack is on DDS domain {number}, but other DDS programs are: {names}",
+        return ok(f"DDS domain {bus.domain} is free")
+    return note(f"no stack of this machine is on DDS domain {bus.domain}, but other DDS programs are: "
+                f"{', '.join(others)}",
                 "They meet a stack that comes up there; if they should not: --domain "
-                f"{_next_free(number)}")
+                f"{_next_free(bus.domain)}")
 
 
 def ports(subject: Subject) -> List[Finding]:
@@ -85,13 +89,24 @@ def _ports(subject: Subject, number: int) -> List[Finding]:
     left = len(PARTICIPANT_INDICES) - len({s.port for s in taken})
     most = ", ".join(f"{program} has {count}" for program, count
                      in Counter(holders[s.inode] for s in taken).most_common(3))
+    shared = _shared_with_everybody(number)
     text = (f"{left or 'none'} of {len(PARTICIPANT_INDICES)} participant indices of DDS domain "
             f"{number} are left")
     if left < _needed(subject):
         return [problem(f"{text}: {most}",
                         "Stop programs of the domain that are not needed, or choose another one: "
                         f"--domain {number + 1}")]
-    return [ok(text)]
+    return [ok(text), *([shared] if shared else [])]
+
+
+def _shared_with_everybody(number: int) -> Optional[Finding]:
+    first, last = multicast_ports(number)[0], unicast_ports(number, PARTICIPANT_INDICES[-1])[1]
+    low, high = map(int, Path("/proc/sys/net/ipv4/ip_local_port_range").read_text().split())
+    if last < low or first > high:
+        return None
+    return note(f"UDP ports {first} to {last} of DDS domain {number} are among those that the system "
+                f"gives to any program ({low} to {high}): now and then one of them is taken",
+                f"Choose a domain below {(low - 7400) // 250}.")
 
 
 def _needed(subject: Subject) -> int:

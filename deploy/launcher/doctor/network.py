@@ -7,8 +7,10 @@ import struct
 from typing import List, Optional
 
 from ..places import shown
+from ..stack import Bus
 from .finding import Finding, note, ok, problem
 from .interfaces import LOOPBACK, MULTICAST, UP, address_of, flags_of, interface_names
+from .ports import multicast_ports
 from .subject import Subject
 
 _GROUP = "239.255.0.1"  # of DDS discovery (RTPS 2.5, 9.6.2.4); the port is one of our own
@@ -21,6 +23,8 @@ def network(subject: Subject) -> List[Finding]:
     by_name = {bus.interface: bus for bus in subject.buses}
     found = [finding for name, bus in by_name.items()
              for finding in _interface(subject, name, bool(bus.peers))]
+    for bus in by_name.values():
+        found += [f for f in (_peer(bus, peer) for peer in bus.peers) if f]
     if _LOOPBACK not in by_name and not (flags_of(_LOOPBACK) or 0) & UP:
         found.append(problem(
             f"interface '{_LOOPBACK}' is down: this machine cannot reach its own addresses, so that "
@@ -49,6 +53,18 @@ def _interface(subject: Subject, name: str, has_peers: bool) -> List[Finding]:
         return [*found, note(f"no multicast on '{name}' ({fault}); bus.peers makes up for it")]
     return [*found, problem(
         f"no multicast on '{name}' ({fault}), so that nobody is discovered", _advice(name, where))]
+
+
+def _peer(bus: Bus, peer: str) -> Optional[Finding]:
+    """Whether datagrams to it would find a way; not whether somebody is there."""
+    try:
+        with socket.socket(socket.AF_INET, socket.SOCK_DGRAM) as trying:
+            trying.connect((peer, multicast_ports(bus.domain)[0]))
+    except OSError as error:
+        return problem(f"the peer '{peer}' cannot be reached from this host: {error.strerror or error}",
+                       "Put right bus.peers in the stack file, or the network: "
+                       f"ip route get {peer}")
+    return None
 
 
 def _advice(name: str, where: str) -> str:

@@ -18,6 +18,7 @@ class RecordedStack:
     bus: Bus
     directory: RunDirectory
     ready: bool
+    expected: str  # everybody who belongs to it, here and on other hosts
 
     def alive(self) -> bool:
         return self.keeper.alive()
@@ -39,6 +40,6 @@ def _read(file: Path) -> Optional[RecordedStack]:
             file, ProcessIdentity.from_json(value["keeper"]),
             Bus(int(value["domain"]), str(value["interface"]), str(value["tag"]),
                 tuple(value.get("peers", ()))),
-            RunDirectory(Path(value["directory"])), bool(value["ready"]))
+            RunDirectory(Path(value["directory"])), bool(value["ready"]), str(value["expected"]))
     except (KeyError, ValueError, TypeError):
         return None

@@ -33,9 +33,8 @@ def care(subject: Subject) -> List[Finding]:
 
 
 def _counters(subject: Subject) -> Iterator[Tuple[str, dict]]:
-    for stack in subject.running:
-        for service in subject.seen(stack.bus).services:
-            yield f"{service['service']}/{service['instance']}", service["counters"]
+    for report in subject.reports:
+        yield f"{report['service']}/{report['instance']}", report["counters"]
 
 
 def _times(count: int) -> str:

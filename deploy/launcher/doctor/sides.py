@@ -4,12 +4,11 @@ from typing import List, Optional
 
 from ..stack import Bus
 from .finding import Finding, note, ok, problem
+from .missed import missed
 from .ports import DdsProcess
 from .sockets import unix_socket_inode
 from .subject import Subject
-from .survey import who
-
-_TOPICS = "scarab/"
+from .survey import speaks_scarab, who
 
 
 def sides(subject: Subject) -> List[Finding]:
@@ -22,7 +21,7 @@ def _beside(subject: Subject, bus: Bus) -> List[Finding]:
     if not subject.running and not _inhabited(subject, bus):
         return []
     local = [_local(subject, bus, process) for process in subject.dds_processes]
-    return [f for f in (*local, *_other_hosts(subject, bus)) if f]
+    return [f for f in (*local, *_other_hosts(subject, bus), *missed(subject, bus)) if f]
 
 
 def _inhabited(subject: Subject, bus: Bus) -> bool:
@@ -46,10 +45,10 @@ def _on_another_domain(subject: Subject, bus: Bus, process: DdsProcess) -> Optio
         return None  # there is a stack of its own
     what = (f"{process.program} is on DDS domain {process.domain}, the stack on {bus.domain}: they "
             "do not meet")
-    speaks = any(topic.startswith(_TOPICS) for seen in subject.seen_elsewhere(process.domain)
-                 if seen["pid"] in (0, process.program.pid) for topic in seen["topics"])
-    if speaks:
-        return problem(what + f", though it has topics of the stack ({_TOPICS}...)",
+    own = [seen for seen in subject.seen_elsewhere(process.domain)
+           if seen["pid"] in (0, process.program.pid)]
+    if any(map(speaks_scarab, own)):
+        return problem(what + ", though it has topics of the stack (scarab/...)",
                        f"Start it with --domain {bus.domain} (Fast DDS and ROS: "
                        f"ROS_DOMAIN_ID={bus.domain}).")
     return note(what, f"If it belongs to the stack, start it on domain {bus.domain}.")
@@ -58,7 +57,7 @@ def _on_another_domain(subject: Subject, bus: Bus, process: DdsProcess) -> Optio
 def _apart_by_tag(subject: Subject, bus: Bus, process: DdsProcess) -> Optional[Finding]:
     seen = subject.seen(bus)
     known = {p["pid"] for p in seen.participants if p["host"] in ("", subject.host)}
-    if seen.fault or not known or process.program.pid in known:
+    if seen.fault or not known or process.program.pid in {0, *known}:
         return None
     tag = f"'{bus.tag}'" if bus.tag else "none"
     return note(f"{process.program} is on DDS domain {bus.domain} and interface {bus.interface}, "
@@ -73,8 +72,7 @@ def _other_hosts(subject: Subject, bus: Bus) -> List[Finding]:
     for seen in subject.seen_beside(bus):
         for other in seen.participants:
             remote = other["host"] not in ("", subject.host)
-            speaks = any(topic.startswith(_TOPICS) for topic in other["topics"])
-            if remote and speaks and (other["host"], other["pid"]) not in here:
+            if remote and speaks_scarab(other) and (other["host"], other["pid"]) not in here:
                 found.append(problem(
                     f"{who(other)} is seen by interface {seen.bus.interface}, the stack is on "
                     f"{bus.interface}: they do not meet",

@@ -12,10 +12,11 @@ from ..stack_file import read_stack
 from .interfaces import LOOPBACK, flags_of, usable_interfaces
 from .ports import DdsProcess, dds_processes
 from .recorded import RecordedStack, recorded_stacks
-from .survey import Seen, survey
+from .survey import Seen, reports, survey
 
 _UNTOLD_DOMAIN = 0  # the one that `up` takes
 _MOST_INTERFACES = 8
+_SEARCHED = range(0, 20)  # the domains that people choose
 
 
 class Subject:
@@ -56,6 +57,12 @@ class Subject:
         """What a participant sees that takes the place `bus`."""
         return self._surveys.get(bus) or Seen(bus)
 
+    @functools.cached_property
+    def reports(self) -> List[dict]:
+        """What the services of all running stacks say of themselves."""
+        found = reports(self.places, [s.bus for s in self.running])
+        return [report for services in found.values() for report in services]
+
     def seen_beside(self, bus: Bus) -> List[Seen]:
         """The same from this machine's other interfaces."""
         return [seen for other, seen in self._surveys.items()
@@ -66,10 +73,15 @@ class Subject:
         return [p for other, seen in self._surveys.items() if other.domain == domain
                 for p in seen.participants]
 
+    def search(self, bus: Bus) -> List[Seen]:
+        """Looks at other domains by the same interface, in the hope to find who is missed."""
+        places = [_moved(bus, domain, bus.interface) for domain in _SEARCHED if domain != bus.domain]
+        return list(survey(self.places, {place: 1 for place in places}).values())
+
     @functools.cached_property
     def _surveys(self) -> Dict[Bus, Seen]:
         wanted = {bus: self._participants_on(bus) for bus in self._places_to_look()}
-        return survey(self.places, wanted, [s.bus for s in self.running])
+        return survey(self.places, wanted)
 
     def _places_to_look(self) -> Iterator[Bus]:
         """The stacks' own, the same by other interfaces, and where else DDS programs of this host are."""

@@ -1,10 +1,9 @@
-"""Short-lived participants that look around on the bus: scarab-doctor and scarab-status, all at once."""
+"""Short-lived participants that look around on the bus: scarab-doctor and scarab-status."""
 
-import concurrent.futures
 import json
 import subprocess
 from dataclasses import dataclass
-from typing import Dict, List, Optional, Sequence
+from typing import Dict, List, Optional, Sequence, Tuple
 
 from ..places import Places
 from ..spawn import clean_environment
@@ -12,6 +11,7 @@ from ..stack import Bus
 
 _LOOK_S = 1.5
 _PATIENCE_S = 20.0
+Answer = Tuple[Optional[dict], str]  # a document or None, and what the program complained about
 
 
 @dataclass(frozen=True)
@@ -21,30 +21,31 @@ class Seen:
     bus: Bus
     participants: Sequence[dict] = ()
     mismatches: Sequence[dict] = ()
-    services: Sequence[dict] = ()
     fault: str = ""
 
 
-def survey(places: Places, buses: Dict[Bus, int], with_services: Sequence[Bus]) -> Dict[Bus, Seen]:
-    """Looks at all buses, each with the number of participants that must be there; also asks the
-    services of those in `with_services` for their status."""
-    if not buses:
-        return {}
-    with concurrent.futures.ThreadPoolExecutor(len(buses)) as pool:
-        return dict(zip(buses, pool.map(lambda bus: _look(places, bus, buses[bus],
-                                                          bus in with_services), buses)))
+def survey(places: Places, buses: Dict[Bus, int]) -> Dict[Bus, Seen]:
+    """Looks at all buses, each with the number of participants that must be there."""
+    commands = [[str(places.bin / "scarab-doctor"), *bus.arguments(), "--timeout", f"{_LOOK_S:g}",
+                 "--participants", str(count)] for bus, count in buses.items()]
+    return {bus: Seen(bus, *_parts(document, "participants", "mismatches"), fault)
+            for bus, (document, fault) in zip(buses, _ask_all(commands))}
 
 
-def _look(places: Places, bus: Bus, at_least: int, with_services: bool) -> Seen:
-    command = [str(places.bin / "scarab-doctor"), *bus.arguments(), "--timeout", f"{_LOOK_S:g}",
-               "--participants", str(at_least)]
-    asking = _start([str(places.bin / "scarab-status"), *bus.arguments(), "--json"]) \
-        if with_services else None
-    looking = _start(command)
-    seen, fault = _answer(looking)
-    services, _ = _answer(asking)
-    return Seen(bus, (seen or {}).get("participants", ()), (seen or {}).get("mismatches", ()),
-                (services or {}).get("services", ()), fault)
+def reports(places: Places, buses: Sequence[Bus]) -> Dict[Bus, Sequence[dict]]:
+    """What the services on each bus say of themselves."""
+    commands = [[str(places.bin / "scarab-status"), *bus.arguments(), "--json"] for bus in buses]
+    return {bus: _parts(document, "services")[0]
+            for bus, (document, _) in zip(buses, _ask_all(commands))}
+
+
+def _parts(document: Optional[dict], *keys: str) -> List[Sequence[dict]]:
+    return [(document or {}).get(key, ()) for key in keys]
+
+
+def _ask_all(commands: Sequence[List[str]]) -> List[Answer]:
+    """At the same time."""
+    return [_answer(process) for process in [_start(command) for command in commands]]
 
 
 def _start(command: List[str]) -> Optional[subprocess.Popen]:
@@ -55,8 +56,7 @@ def _start(command: List[str]) -> Optional[subprocess.Popen]:
         return None
 
 
-def _answer(process: Optional[subprocess.Popen]):
-    """(document or None, what it complained about)"""
+def _answer(process: Optional[subprocess.Popen]) -> Answer:
     if process is None:
         return None, ""
     try:
@@ -79,3 +79,8 @@ def who(party: dict) -> str:
     if party["host"]:
         process += f" on {party['host']}"
     return f"{party['service']} ({process})" if party["service"] else process
+
+
+def speaks_scarab(participant: dict) -> bool:
+    """Whether it has endpoints on topics of the project."""
+    return any(topic.startswith("scarab/") for topic in participant["topics"])

@@ -94,10 +94,10 @@ class DoctorCase(unittest.TestCase):
         self.assertEqual(len(chosen), 1, found)
         return chosen[0]
 
-    def up(self, *words, domain=DOMAIN, runs=None):
+    def up(self, *words, domain=DOMAIN, runs=None, before=()):
         """A stack that the test stops."""
         places = ("--runs", str(runs)) if runs else ()
-        done = self.scarab("up", "--domain", str(domain), *words, *places)
+        done = self.scarab("up", "--domain", str(domain), *words, *places, before=before)
         self.assertEqual(done.returncode, 0, done.stdout + done.stderr)
         self.addCleanup(self.scarab, "down", "--domain", str(domain), *places)
 

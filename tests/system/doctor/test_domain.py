@@ -60,6 +60,11 @@ class Domain(DoctorCase):
                               f"(pid {os.getpid()}), which does not share it", what)
                 self.assertIn("Stop that program, or choose another domain: --domain 5", advice)
 
+    def test_ports_that_the_system_gives_to_any_program(self):
+        what, advice = self.only("note", "ports", "--domain", "150")
+        self.assertRegex(what, r"^UDP ports 44900 to 45037 of DDS domain 150 are among those")
+        self.assertEqual(advice, "Choose a domain below 101.")
+
     def test_no_participant_index_is_left(self):
         with held(*range(BASE_PORT + 10, BASE_PORT + 10 + 128)):
             self.assertEqual(participant()[0], 1)

@@ -56,6 +56,14 @@ class Network(DoctorCase):
         self.assertIn("interface 'lo' is down: this machine cannot reach its own addresses", what)
         self.assertIn("ip link set lo up", advice)
 
+    def test_peer_that_no_route_leads_to(self):
+        text = self.stack_file.read_text()
+        self.stack_file = self.folder / "stack.yaml"
+        self.stack_file.write_text(text.replace("peers: []", "peers: [10.9.9.9]"))
+        what, advice = self.fault()
+        self.assertEqual(what, "the peer '10.9.9.9' cannot be reached from this host: Network is unreachable")
+        self.assertIn("bus.peers", advice)
+
     def test_peers_make_up_for_multicast(self):
         self.stack_with_interface("v0")
         text = self.stack_file.read_text()

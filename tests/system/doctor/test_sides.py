@@ -1,9 +1,7 @@
 """Two sides that do not meet: other domains, other interfaces, other tags, other hosts."""
 
-import subprocess
-
 import case
-from case import StackCase, sh
+from case import DOMAIN, DoctorCase, StackCase, sh
 
 TOPIC = ("--topic", "scarab/operator")
 
@@ -51,21 +49,54 @@ class Sides(StackCase):
         self.assertEqual([f[1] for f in self.doctor("sides")], ["ok"])
 
 
-class OtherHost(StackCase):
-    """Somebody on another host of the network, while the stack has stayed on loopback."""
+class OtherHost(DoctorCase):
+    """Somebody on another host of the network 10.8.0.0/24, which this one is on by w0."""
 
-    def test_host_that_only_another_interface_sees(self):
+    def setUp(self):
+        super().setUp()
         host = self.start(["unshare", "--net", "--uts", "sh", "-c",
                            "ip link set lo up && hostname meadow && echo there && read end"])
-        there = ("nsenter", "--target", str(host.pid), "--net", "--uts")
+        self.there = ("nsenter", "--target", str(host.pid), "--net", "--uts")
         sh(f"ip link add w0 type veth peer name w1 && ip link set w1 netns {host.pid}")
         sh("ip address add 10.8.0.1/24 dev w0 && ip link set w0 up")
-        sh(" ".join(there) + " sh -c 'ip address add 10.8.0.2/24 dev w1 && ip link set w1 up'")
-        self.odd_endpoint(*TOPIC, "--interface", "w1", "--service", "operator", before=there)
+        sh(" ".join(self.there) + " sh -c 'ip address add 10.8.0.2/24 dev w1 && ip link set w1 up'")
+
+    def somebody_there(self, service, domain=DOMAIN):
+        self.odd_endpoint(*TOPIC, "--interface", "w1", "--service", service, domain=domain,
+                          before=self.there)
+
+    def test_host_that_only_another_interface_sees(self):
+        self.up()
+        self.somebody_there("operator")
         what, advice = self.only("problem", "sides")
         self.assertRegex(what, r"^operator/0 \(odd_endpoint, pid \d+ on meadow\) is seen by interface "
                                r"w0, the stack is on lo: they do not meet$")
         self.assertIn("--interface w0", advice)
+
+    def test_halves_of_a_stack_on_different_domains(self):
+        self.up("--profile", "plant-host", "--interface", "w0")
+        self.somebody_there("premotor", domain=9)
+        found = [f[2:] for f in self.doctor("sides") if f[1] == "problem"]
+        self.assertEqual(len(found), 2, found)
+        (others, firewalls), (premotor, domains) = sorted(found, key=lambda f: "premotor" in f[0])
+        self.assertRegex(premotor, r"^premotor/0 \(odd_endpoint, pid \d+ on meadow\) is on DDS domain 9, "
+                                   r"the stack that expects it on 4: they do not meet$")
+        self.assertIn("same --domain", domains)
+        self.assertEqual(others, "logger/0 and supervisor/0 are expected, but are not seen on DDS domain "
+                                 "4 by interface w0")
+        self.assertIn("let UDP ports 8400 to 8649 pass the firewalls of both", firewalls)
+
+    def test_halves_that_have_met_are_well(self):
+        self.up("--profile", "plant-host", "--interface", "w0")
+        for service in ("premotor", "supervisor", "logger"):
+            self.somebody_there(service)
+        self.assertEqual([f[1] for f in self.doctor("sides")], ["ok"])
+
+    def test_domain_that_another_host_is_on(self):
+        self.stack_with_interface("w0")
+        self.somebody_there("plant")
+        what, _ = self.only("note", "domain", "--domain", str(DOMAIN))
+        self.assertRegex(what, r"but other DDS programs are: plant/0 \(odd_endpoint, pid \d+ on meadow\)$")
 
 
 if __name__ == "__main__":

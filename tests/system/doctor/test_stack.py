@@ -56,6 +56,13 @@ class Stack(DoctorCase):
         self.assertTrue(what.startswith("the system clock jumped once while plant/0 ran"), what)
         self.assertIn("chrony", advice)
 
+    def test_real_time_without_the_rights_for_it(self):
+        self.up(before=("prlimit", "--memlock=65536:65536", "--rtprio=0:0",
+                        "setpriv", "--bounding-set=-ipc_lock,-sys_nice", "--inh-caps=-ipc_lock,-sys_nice"))
+        notes = [f[2] for f in self.doctor("realtime") if f[1] == "note"]
+        self.assertIn("plant/0: its memory is not locked", notes)
+        self.assertIn("plant/0: its priority is not raised", notes)
+
     def test_keeper_that_was_killed(self):
         self.up()
         keeper = self.keeper()
