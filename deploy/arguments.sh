@@ -23,7 +23,7 @@ kind_of() {
     --replicas) echo "replicas" ;;
     --config) echo "service_file" ;;
     --tag | --interface) echo "text" ;;
-    --no-perturbation | --keep | --realtime | --lockstep) echo "flag" ;;
+    --no-perturbation | --no-figure | --keep | --realtime | --lockstep) echo "flag" ;;
   esac
 }
 

@@ -41,6 +41,7 @@ def add_verb(verbs: Verbs) -> None:
     parser.set_defaults(profile=None)  # known whether it was given: a stack that is up has its own
     add_pace_options(parser, Pace.LOCKSTEP)
     parser.add_argument("--keep", action="store_true", help="leave the stack running afterwards")
+    parser.add_argument("--no-figure", action="store_true", help="draw no figure of the first trial")
     add_trial_options(parser)
 
 
@@ -75,7 +76,8 @@ def _run_on_its_own(options: argparse.Namespace, places: Places, signals: Signal
                                launched.keeper, master.name if master else "")
         if not options.keep:
             _mend_log(places, directory, signals)
-        _figure(places, directory, directory, signals)
+        if not options.no_figure:
+            _figure(places, directory, directory, signals)
     finally:
         _say_where(directory, directory)
     if options.keep:
@@ -97,7 +99,8 @@ def _run_on(running: RunningStack, options: argparse.Namespace, places: Places,
         try:
             code = _experiment(options, places, running.bus, running.expected, directory, signals,
                                EventTail(running), running.tick_master)
-            _figure(places, directory, running.directory, signals)
+            if not options.no_figure:
+                _figure(places, directory, running.directory, signals)
         finally:
             _say_where(directory, running.directory)
         return code

@@ -1,11 +1,9 @@
-#include <gmock/gmock.h>
 #include <unistd.h>
 
 #include <csignal>
 
-#include "tests/support/files.hpp"
-#include "tests/support/programs.hpp"
 #include "tests/support/test_bus.hpp"
+#include "tests/system/launcher_rig.hpp"
 #include "tests/system/trial_log.hpp"
 #include "tests/system/view.hpp"
 
@@ -15,60 +13,23 @@ namespace {
 namespace fs = std::filesystem;
 using testing::HasSubstr;
 using testing::IsEmpty;
+using testing::Not;
 
-constexpr std::uint32_t kDomain = 97;
-constexpr std::chrono::seconds kRunLimit{60};
-
-/// The launcher with the real programs, as a person calls it.
-class Launcher : public testing::Test {
- protected:
-  /// The command line; a session of its own, so that Ctrl-C reaches all of it and nobody else.
-  Arguments scarab(const Arguments& words) const {
-    Arguments command = {"/usr/bin/setsid", source_file("deploy/scarab")};
-    command.insert(command.end(), words.begin(), words.end());
-    command.insert(command.end(), {"--domain", std::to_string(kDomain), "--bin",
-                                   fs::path(program("x")).parent_path(), "--runs", runs_});
-    return command;
-  }
-  Arguments scarab_run(const Arguments& trial) const {
-    Arguments words = {"run", "--tag", test_tag()};
-    words.insert(words.end(), trial.begin(), trial.end());
-    return scarab(words);
-  }
-  /// The one run directory.
-  fs::path run_directory() const { return fs::canonical(runs_ / "latest"); }
-  /// Command lines of processes that have to do with this test's runs.
-  std::vector<std::string> living() const {
-    std::vector<std::string> found;
-    for (const auto& entry : fs::directory_iterator("/proc")) {
-      const std::string line = read_text(entry.path() / "cmdline");
-      if (line.find(runs_.string()) != std::string::npos) found.push_back(line);
-    }
-    return found;
-  }
-  static void expect_readable(const fs::path& log) {
-    const auto info = run({program("scarab-log"), "info", log});
-    EXPECT_EQ(info.exit_code, 0) << info.err;
-  }
-
-  TemporaryDirectory directory_;
-  fs::path runs_ = directory_ / "runs";
-};
-
-/// Trials whose outcome needs no physics: the time limit is success for one, failure for the other.
-const Arguments kSuccess = {"--goal", "none", "--time-limit", "3"};
-const Arguments kFailure = {"--goal", "travel", "--distance", "10", "--time-limit", "1"};
-const Arguments kEndless = {"--goal", "none", "--time-limit", "36000"};
+void expect_readable(const fs::path& log) {
+  const auto info = run({program("scarab-log"), "info", log});
+  EXPECT_EQ(info.exit_code, 0) << info.err;
+}
 
 TEST_F(Launcher, RunThatSucceedsLeavesAllItsFiles) {
-  const auto result = run(scarab_run(kSuccess), kRunLimit);
+  const auto result =
+      run(scarab(Arguments{"run", "--tag", test_tag()} + kSuccess), kRunLimit);  // with its figure
   ASSERT_EQ(result.exit_code, 0) << result.out << result.err;
   EXPECT_THAT(result.out, HasSubstr("result: success"));
   const auto directory = run_directory();
-  for (const auto* name :
-       {"trial.mcap", "results.csv", "figure7.svg", "figure7.png", "figure7.csv",
-        "config/plant.yaml", "config/premotor.yaml", "config/supervisor.yaml", "config/stack.yaml",
-        "logs/plant.log", "state/premotor-0.state", "state/supervisor-0.state"}) {
+  for (const auto* name : {"trial.mcap", "results.csv", "figure7.svg", "figure7.png", "figure7.csv",
+                           "config/plant.yaml", "config/premotor.yaml", "config/supervisor.yaml",
+                           "config/stack.yaml", "config/run.yaml", "logs/plant.log",
+                           "state/premotor-0.state", "state/supervisor-0.state"}) {
     EXPECT_TRUE(fs::is_regular_file(directory / name) && fs::file_size(directory / name) > 0)
         << name;
   }
@@ -121,16 +82,85 @@ TEST_F(Launcher, InterruptLeavesNoProcessAndAClosedLog) {
 }
 
 TEST_F(Launcher, StackOfItsOwnServesTrialAfterTrialUntilDown) {
-  const auto up = run(scarab({"up", "--tag", test_tag()}), kRunLimit);
-  ASSERT_EQ(up.exit_code, 0) << up.out << up.err;
+  up({"--lockstep"});
   EXPECT_EQ(run(scarab({"status"}), kRunLimit).exit_code, 0);
   for (int i = 0; i < 2; ++i) {
-    const auto result = run(scarab({"run", "--goal", "none", "--time-limit", "1"}), kRunLimit);
+    const auto result =
+        run(scarab({"run", "--no-figure", "--goal", "none", "--time-limit", "1"}), kRunLimit);
     EXPECT_EQ(result.exit_code, 0) << result.out << result.err;
   }
   const auto down = run(scarab({"down"}), kRunLimit);
   EXPECT_EQ(down.exit_code, 0) << down.out << down.err;
   EXPECT_THAT(living(), IsEmpty());
+}
+
+TEST_F(Launcher, RealTimeTakesItsTimeAndLockstepDoesNot) {
+  const auto trial_s = [&](const Arguments& command) {
+    View view(kDomain);
+    ChildProcess child(command, directory_ / "run");
+    EXPECT_TRUE(view.await_tick(0)) << child.output();
+    const auto begin = std::chrono::steady_clock::now();
+    EXPECT_EQ(child.wait(kRunLimit), 0) << child.output();
+    EXPECT_TRUE(view.await_tick(30));
+    return std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
+  };
+  EXPECT_GE(trial_s(scarab_run(kSuccess + Arguments{"--realtime"})), 2.9);
+  const std::string paced = read_text(run_directory() / "results.csv");
+  EXPECT_THAT(paced, testing::ContainsRegex(",(0[.]9[0-9]|1[.]0[0-9]),")) << "x real time";
+}
+
+TEST_F(Launcher, UpGoesByTheWallClockAndRunFollowsIt) {
+  up();
+  const auto result =
+      run(scarab({"run", "--no-figure", "--goal", "none", "--time-limit", "2"}), kRunLimit);
+  EXPECT_EQ(result.exit_code, 0) << result.out << result.err;
+  EXPECT_THAT(result.out, HasSubstr("in real time"));
+  EXPECT_THAT(read_text(run_directory() / "results.csv"),
+              testing::ContainsRegex(",(0[.]9[0-9]|1[.]0[0-9]),"));
+  const auto contradicting = run(scarab({"run", "--lockstep"}), kRunLimit);
+  EXPECT_EQ(contradicting.exit_code, 2);
+  EXPECT_THAT(contradicting.err, HasSubstr("the stack that is up goes in real time"));
+}
+
+TEST_F(Launcher, SpareTakesPartWithNoChangeOfTheTrial) {
+  const auto alone = run(scarab_run(kSuccess), kRunLimit);
+  ASSERT_EQ(alone.exit_code, 0) << alone.err;
+  const auto log_alone = run_directory() / "trial.mcap";
+  const auto both = run(scarab_run(kSuccess + Arguments{"--replicas", "premotor=2"}), kRunLimit);
+  ASSERT_EQ(both.exit_code, 0) << both.err;
+  EXPECT_TRUE(fs::exists(run_directory() / "logs" / "premotor-1.log"));
+  const auto result = run({program("scarab-log"), "compare", log_alone,
+                           run_directory() / "trial.mcap", "--topic", "scarab/robot_state"});
+  EXPECT_EQ(result.exit_code, 0) << result.out << result.err;
+}
+
+TEST_F(Launcher, OperatorSpeaksToTheStackThatIsUp) {
+  up({"--lockstep"});
+  View view(kDomain);
+  ChildProcess trial(scarab(Arguments{"run", "--no-figure"} + kEndless), directory_ / "run");
+  ASSERT_TRUE(view.await_tick(50)) << trial.output();
+  for (const std::string verb : {"pause", "step", "start", "estop", "reset", "stop"}) {
+    const auto said = run(scarab({verb, "--reason", "a test"}), kRunLimit);
+    EXPECT_EQ(said.exit_code, 0) << verb << said.out << said.err;
+  }
+  EXPECT_EQ(trial.wait(kRunLimit), 1) << trial.output();
+  EXPECT_THAT(trial.out(), HasSubstr("operator stop: a test"));
+  EXPECT_EQ(run(scarab({"status"}), kRunLimit).exit_code, 0) << "the stack stays up";
+}
+
+TEST_F(Launcher, CompletesWhatTheToolsThemselvesOffer) {
+  const auto candidates = [&](const std::string& line) {
+    return run({"/usr/bin/env", "SCARAB_BIN=" + fs::path(program("x")).parent_path().string(),
+                source_file("deploy/scarab"), "__complete", "line", line})
+        .out;
+  };
+  EXPECT_THAT(candidates("scarab topic "), HasSubstr("echo\t"));
+  EXPECT_THAT(candidates("scarab log "), HasSubstr("recover\t"));
+  EXPECT_THAT(candidates("scarab log csv --"), HasSubstr("--topic\t"));
+  EXPECT_THAT(candidates("scarab operator mode "), HasSubstr("backward\n"));
+  EXPECT_THAT(candidates("scarab run --strategy "), HasSubstr("soft+hard\n"));
+  EXPECT_THAT(candidates("scarab config "), HasSubstr("check\t"));
+  EXPECT_THAT(candidates("scarab drive --"), HasSubstr("--trial\t"));
 }
 
 }  // namespace
