@@ -57,7 +57,9 @@ class OtherHost(DoctorCase):
         host = self.start(["unshare", "--net", "--uts", "sh", "-c",
                            "ip link set lo up && hostname meadow && echo there && read end"])
         self.there = ("nsenter", "--target", str(host.pid), "--net", "--uts")
-        sh(f"ip link add w0 type veth peer name w1 && ip link set w1 netns {host.pid}")
+        sh("ip link add w0 type veth peer name w1")
+        self.addCleanup(sh, "ip link delete w0")  # at once; with the namespace it goes some time later
+        sh(f"ip link set w1 netns {host.pid}")
         sh("ip address add 10.8.0.1/24 dev w0 && ip link set w0 up")
         sh(" ".join(self.there) + " sh -c 'ip address add 10.8.0.2/24 dev w1 && ip link set w1 up'")
 
