@@ -12,6 +12,7 @@ namespace {
 
 using runtime::ServiceReport;
 
+constexpr double kNearlyAll = 0.99;
 const std::string kRefused = "commands_refused_";
 const std::string kClamped = "targets_clamped_";
 
@@ -40,7 +41,6 @@ const runtime::Histogram& histogram(const ServiceReport& report, const std::stri
 }
 
 void see_tick_master(Live& live, const ServiceReport& report) {
-  constexpr double kNearlyAll = 0.99;
   live.tick_master_answers = true;
   live.tick_master_says = report.message;
   live.trial_runs = report.lifecycle == scarab_LIFECYCLE_ACTIVE;

@@ -1,6 +1,7 @@
 #include "tools/drive/drive.hpp"
 
 #include <chrono>
+#include <clocale>
 #include <iostream>
 
 #include "common/bus/error.hpp"
@@ -133,6 +134,8 @@ void say_goodbye(const Stack& stack) {
               << ", mode " << live.mode << ")";
   } else if (live.safe_stop) {
     std::cout << ": no trial runs, and the safe stop holds until a reset";
+  } else if (!live.tick_master_answers && !live.tick_master.empty()) {
+    std::cout << ", but " << live.tick_master << " does not answer";
   }
   std::cout << '\n';
   if (stack.runs_own_trial()) {
@@ -166,6 +169,8 @@ int drive(const DriveOptions& options) {
   if (size && (size->columns < kSmallest.columns || size->rows < kSmallest.rows)) {
     return refuse(too_small(*size));
   }
+  // Names and reasons may be UTF-8; numbers keep their point.
+  std::setlocale(LC_CTYPE, "");  // NOLINT(concurrency-mt-unsafe): no other thread yet
   Stack stack(options.bus);
   Driver driver(options, stack);
   const bool quit = run(driver, stack);

@@ -97,7 +97,7 @@ const runtime::ServiceReport* Stack::acknowledging() const {
 
 std::optional<Notice> Stack::news_of_order() {
   if (!open_) return std::nullopt;
-  if (const auto* report = acknowledging()) {
+  if (const auto* report = acknowledging(); report != nullptr) {
     const bool refused =
         !runtime::is_for_tick_master(open_->order.command) && report->health != scarab_HEALTH_OK;
     const std::string says = report->message.empty() ? "done" : report->message;

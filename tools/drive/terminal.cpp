@@ -5,7 +5,6 @@
 #include <unistd.h>
 
 #include <algorithm>
-#include <clocale>
 #include <cstdio>
 #include <cstdlib>
 #include <stdexcept>
@@ -64,12 +63,11 @@ struct Terminal::Screen {
 };
 
 Terminal::Terminal() : screen_(std::make_unique<Screen>()) {
-  std::setlocale(LC_CTYPE, "");  // names and reasons may be UTF-8; numbers keep their point
   // initscr() would end the program for an unknown terminal.
   screen_->handle = ::newterm(nullptr, stdout, stdin);
   if (screen_->handle == nullptr) {
-    const char* name = std::getenv("TERM");
-    throw std::runtime_error("the terminal type '" + std::string(name ? name : "") +
+    const char* name = std::getenv("TERM");  // NOLINT(concurrency-mt-unsafe): nobody sets it
+    throw std::runtime_error("the terminal type '" + std::string(name != nullptr ? name : "") +
                              "' (TERM) is not known here; try TERM=xterm");
   }
   set_escdelay(25);  // ms; Escape alone is a key

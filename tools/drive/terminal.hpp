@@ -15,7 +15,8 @@ bool has_terminal();
 std::optional<Size> terminal_size();
 
 /// The whole terminal, taken over with ncurses; the destructor gives it back as it was, whatever
-/// ends the program but SIGKILL. Only one at a time.
+/// ends the program but SIGKILL. Only one at a time. Text is in the characters of the locale
+/// (LC_CTYPE).
 class Terminal {
  public:
   /// Throws std::runtime_error for a terminal that ncurses does not know (TERM).

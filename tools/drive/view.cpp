@@ -10,6 +10,7 @@ namespace {
 
 constexpr std::size_t kBarColumns = 34;
 constexpr std::size_t kServicesMost = 5;
+constexpr std::array<const char*, 3> kJointLetters = {"T", "C", "F"};  // in the order of LegJoint
 
 std::string decimal(double value, int decimals) {
   const std::string text = figure(value, decimals);
@@ -52,6 +53,8 @@ Line trial(const Live& live) {
                 Style::kPlain}};
   if (live.trial_runs) {
     line.push_back({live.phase, live.phase == "running" ? Style::kGood : Style::kWarning});
+  } else if (!live.tick_master_answers) {
+    line.push_back({live.phase + " when last heard of", Style::kWarning});
   } else {
     line.push_back({live.phase + "; no trial runs: t starts one", Style::kDim});
   }
@@ -129,9 +132,8 @@ std::vector<Line> joints(const Live& live) {
   head.push_back({"      BJ", Style::kDim});
   std::vector<Line> lines = {head};
   using robot::LegJoint;
-  constexpr std::array<const char*, 3> kNames = {"T", "C", "F"};
-  for (std::size_t row = 0; row < kNames.size(); ++row) {
-    Line line = {{std::string(kNames[row]) + "    ", Style::kDim}};
+  for (std::size_t row = 0; row < kJointLetters.size(); ++row) {
+    Line line = {{std::string(kJointLetters[row]) + "    ", Style::kDim}};
     for (const auto leg : robot::kLegs) {
       line.push_back({angle(live, robot::joint_slot(leg, static_cast<LegJoint>(row)))});
     }

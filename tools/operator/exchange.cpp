@@ -105,13 +105,13 @@ std::optional<Exchange::Report> Exchange::await_answer(
   wait_until(
       [&] {
         const Report* answer = acknowledging();
-        if (answer) who = answer->peer;
+        if (answer != nullptr) who = answer->peer;
         const Report* now = who ? board_.find(*who) : nullptr;
-        return (now && shows(*now)) || (!who && gives_up());
+        return (now != nullptr && shows(*now)) || (!who && gives_up());
       },
       limit);
   const Report* now = who ? board_.find(*who) : nullptr;
-  if (!now) return std::nullopt;
+  if (now == nullptr) return std::nullopt;
   return *now;
 }
 

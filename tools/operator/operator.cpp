@@ -38,7 +38,7 @@ std::string where(const runtime::BusOptions& options) {
 bool waits_for_a_tick(const Exchange& exchange) {
   const auto master = exchange.tick_master();
   const Report* report = master ? exchange.report(*master) : nullptr;
-  return report && is_paused(*report);
+  return report != nullptr && is_paused(*report);
 }
 
 int report_silence(const Exchange& exchange, const bus::Peer& listener, const Order& order) {
@@ -50,7 +50,7 @@ int report_silence(const Exchange& exchange, const bus::Peer& listener, const Or
               << "' counts from the next tick (start or step); " << sentence(*tick_master) << '\n';
     return runtime::kExitSuccess;
   }
-  const std::string stands = tick_master ? "; " + sentence(*tick_master) : "";
+  const std::string stands = tick_master != nullptr ? "; " + sentence(*tick_master) : "";
   return fail(warning(order) + bus::to_string(listener) + " has not acknowledged '" + order.name +
               "' within " + std::to_string(kAnswerLimit / 1s) + " s" + stands);
 }

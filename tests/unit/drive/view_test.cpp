@@ -146,7 +146,8 @@ TEST(View, SaysThatNothingIsThere) {
 
 TEST(View, TickMasterThatIsGoneCannotBeOverlooked) {
   Live live = walking();
-  live.tick_master_answers = false;
+  live.tick_master_answers = live.trial_runs = false;
+  EXPECT_THAT(text_of(lines_of(live)), HasSubstr("running when last heard of"));
   EXPECT_TRUE(has_style(lines_of(live), Style::kAlarm, "plant/0 does not answer"));
 }
 
