@@ -22,7 +22,7 @@ kind_of() {
     --strategy | --profile) echo "name" ;;
     --replicas) echo "replicas" ;;
     --config) echo "service_file" ;;
-    --tag | --interface) echo "text" ;;
+    --tag | --interface | --peers) echo "text" ;;
     --no-perturbation | --no-figure | --keep | --realtime | --lockstep) echo "flag" ;;
   esac
 }

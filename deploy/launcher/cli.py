@@ -7,8 +7,9 @@ from typing import List, Sequence
 
 from . import (completion_verb, doctor_verb, operator_verbs, run_verb, sim_verb, status_verb,
                up_verb)
-from .failure import EXIT_FAILURE, Failure, Interrupted
+from .failure import EXIT_FAILURE, EXIT_OK, Failure, Interrupted
 from .places import Places, default_bin, default_runs, default_stack_file
+from .stack_declaration import stack_schema
 from .stack_options import add_profile_option, bounded_integer
 from .tool_verbs import bus_of, hand_on
 from .verbs import Verbs
@@ -60,6 +61,9 @@ def _dispatch(words: List[str]) -> int:
     places = Places(default_bin(), default_runs(), default_stack_file())
     if words and words[0] == completion_verb.ASK:
         return completion_verb.answer(words[1:], verbs, places)
+    if words == ["config", "schema", "stack"]:  # the one file that the launcher itself reads
+        print(stack_schema(), end="")
+        return EXIT_OK
     if words and words[0] in verbs.tools:  # their options are theirs to read
         return hand_on(verbs.tools[words[0]], words[1:], places)
     options = verbs.parse(words)

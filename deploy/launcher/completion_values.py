@@ -41,6 +41,7 @@ class Values:
             "interface": lambda _: os.listdir("/sys/class/net"),
             "domain": lambda _: [str(s.bus.domain) for s in running_stacks(places.runs)],
             "service": lambda _: self._logs(),
+            "kind": lambda _: [f.stem for f in (places.root / "config" / "schema").glob("*.json")],
             "topic": lambda _: self._topics(),
             "FILE": lambda start: paths(start, True),
             "file": lambda start: paths(start, True),

@@ -14,11 +14,11 @@ _ROBOTS = Path("config/robot")
 class RobotChoice:
     """The robot that was asked for, else that of the file."""
 
-    def __init__(self, in_file: Optional[Value], wanted: Optional[str], root: Path):
+    def __init__(self, in_file: str, wanted: Optional[str], root: Path):
         """UsageError for a robot that nobody has described, naming those that there are."""
         self._root = root
         self._filled_in: Set[Path] = set()
-        self.name = in_file.text() if in_file else ""
+        self.name = in_file
         if wanted is None:
             return
         known = known_robots(root)
@@ -27,13 +27,12 @@ class RobotChoice:
                              f"{_ROBOTS} has {', '.join(known) or 'none'}")
         self.name = wanted
 
-    def fill_in(self, path: Value) -> Path:
-        """The path, from the root of the source tree."""
-        text = path.text()
+    def fill_in(self, text: str, place: Value) -> Path:
+        """The path, from the root of the source tree. ConfigError where no robot is named."""
         if _MARK not in text:
             return self._root / text
         if not self.name:
-            path.fail(f"says {_MARK}, but the file has no key 'robot'")
+            place.fail(f"says {_MARK}, but the file has no key 'robot'")
         filled_in = self._root / text.replace(_MARK, self.name)
         self._filled_in.add(filled_in)
         return filled_in

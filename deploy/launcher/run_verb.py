@@ -115,7 +115,8 @@ def _check_fits(options: argparse.Namespace, running: RunningStack) -> None:
     other = {"--profile": options.profile, "--replicas": options.replicas,
              "--robot": options.robot, "--config": options.config,
              "--tag": options.tag not in (None, running.bus.tag),
-             "--interface": options.interface not in (None, running.bus.interface)}
+             "--interface": options.interface not in (None, running.bus.interface),
+             "--peers": options.peers not in (None, running.bus.peers)}
     for option, given in other.items():
         if given:
             raise UsageError(f"{option}: there is a stack up on DDS domain {running.bus.domain}, "

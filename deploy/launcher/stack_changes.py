@@ -1,8 +1,8 @@
-"""What a person wants otherwise than stack.yaml says: --replicas, --robot, --config, --interface, --tag."""
+"""What a person wants otherwise than stack.yaml says: --replicas, --robot, --config, --interface, ..."""
 
 from dataclasses import dataclass, field, replace
 from pathlib import Path
-from typing import Dict, Iterable, Optional
+from typing import Dict, Iterable, Optional, Tuple
 
 from .failure import UsageError
 from .stack import Service, Stack
@@ -20,6 +20,7 @@ class StackChanges:
     configs: Dict[str, Path] = field(default_factory=dict)
     interface: Optional[str] = None
     tag: Optional[str] = None
+    peers: Optional[Tuple[str, ...]] = None
 
 
 def apply_changes(stack: Stack, changes: StackChanges) -> Stack:
@@ -34,7 +35,8 @@ def apply_changes(stack: Stack, changes: StackChanges) -> Stack:
         services=tuple(_changed(s, changes) for s in stack.services),
         elsewhere=tuple(_changed(s, changes) for s in stack.elsewhere),
         interface=stack.interface if changes.interface is None else changes.interface,
-        tag=stack.tag if changes.tag is None else changes.tag)
+        tag=stack.tag if changes.tag is None else changes.tag,
+        peers=stack.peers if changes.peers is None else changes.peers)
 
 
 def _check_names(names: Iterable[str], option: str, services: Iterable[Service],

@@ -63,6 +63,8 @@ def add_stack_options(parser: argparse.ArgumentParser) -> None:
     parser.add_argument("--tag", metavar="TEXT", help="discovery tag of Cyclone DDS (none)")
     parser.add_argument("--interface", metavar="NAME",
                         help="network interface of the DDS traffic (the one that stack.yaml names)")
+    parser.add_argument("--peers", metavar="ADDRESS,...", type=lambda text: tuple(text.split(",")),
+                        help="the other hosts, on a network without multicast (bus.peers)")
     add_data_options(parser)
 
 
@@ -84,7 +86,8 @@ def changes_of(options: argparse.Namespace) -> StackChanges:
         replicas=_once("--replicas", pairs),
         configs=_once("--config", options.config),
         interface=getattr(options, "interface", None),
-        tag=getattr(options, "tag", None))
+        tag=getattr(options, "tag", None),
+        peers=getattr(options, "peers", None))
 
 
 def _once(option: str, pairs: List[Tuple[str, T]]) -> Dict[str, T]:

@@ -51,6 +51,13 @@ class Value:
             found[name] = Value(self._file, path, value_node)
         return found
 
+    def at(self, *names: str) -> "Value":
+        """A part of nested mappings that is known to be there."""
+        part = self
+        for name in names:
+            part = part.mapping()[name]
+        return part
+
     def fields(self, required: Iterable[str], optional: Iterable[str] = ()) -> Dict[str, "Value"]:
         """A mapping with exactly these keys."""
         required = list(required)

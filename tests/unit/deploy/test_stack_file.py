@@ -1,13 +1,18 @@
 """stack.yaml: what is read, and the one line of every mistake."""
 
+import json
 import re
+import subprocess
 import tempfile
 import unittest
 from pathlib import Path
 
-from fake_stack import SOURCE_ROOT, STACK
+import jsonschema
+import yaml
+from fake_stack import SCARAB, SOURCE_ROOT, STACK
 from launcher.failure import ConfigError, UsageError
 from launcher.stack import Restart
+from launcher.stack_declaration import stack_schema
 from launcher.stack_file import read_stack
 
 REPOSITORY_FILE = SOURCE_ROOT / "deploy" / "stack.yaml"
@@ -102,6 +107,48 @@ class StackFile(unittest.TestCase):
     def test_profile_that_is_not_there(self):
         with self.assertRaisesRegex(UsageError, "no profile 'simm' .did you mean 'sim'"):
             self.read(STACK, "simm")
+
+
+class Schema(unittest.TestCase):
+    """For editors: written from the declaration that the reader itself uses."""
+
+    schema = json.loads(stack_schema())
+
+    def accepts(self, text):
+        return jsonschema.Draft7Validator(self.schema).is_valid(yaml.safe_load(text))
+
+    def test_file_is_current(self):
+        file = SOURCE_ROOT / "config" / "schema" / "stack.json"
+        printed = subprocess.run([str(SCARAB), "config", "schema", "stack"], check=True,
+                                 capture_output=True, text=True).stdout
+        self.assertEqual(file.read_text(), printed,
+                         "deploy/scarab config schema stack > config/schema/stack.json")
+
+    def test_takes_what_the_reader_takes(self):
+        jsonschema.Draft7Validator.check_schema(self.schema)
+        self.assertTrue(self.accepts(STACK))
+        self.assertTrue(self.accepts(REPOSITORY_FILE.read_text()))
+
+    def test_refuses_what_the_reader_refuses_for_its_shape(self):
+        for old, new in (("log_level", "log_levl"), ("log_level: info", ""), ("ready_s: 20", "ready_s: 0"),
+                         ("ready_s: 20", "ready_s: soon"), ("plant, instances: 1", "plant, instances: 9"),
+                         ("tick_master: true", "tick_master: 1"), ("  plant:", "  Plant:"),
+                         ("binary: scarab-plant", "binary: bin/scarab-plant"),
+                         ("restart: between_trials", "restart: sometimes"),
+                         ("[logger, plant, premotor]", "[]"), ("interface: lo", "interface: ''")):
+            with self.subTest(new=new):
+                self.assertIn(old, STACK)
+                self.assertFalse(self.accepts(STACK.replace(old, new)))
+
+    def test_every_key_says_what_it_is(self):
+        def keys(schema, path):
+            for name, part in schema.get("properties", {}).items():
+                yield f"{path}.{name}", part
+                yield from keys(part, f"{path}.{name}")
+                yield from keys(part.get("additionalProperties") or {}, f"{path}.{name}.*")
+
+        for path, part in keys(self.schema, "stack"):
+            self.assertTrue(part.get("description") or part["type"] == "object", path)
 
 
 if __name__ == "__main__":

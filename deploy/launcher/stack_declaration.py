@@ -1,0 +1,60 @@
+"""What stack.yaml may hold. Notes are shown by editors that know its schema (`scarab config schema stack`)."""
+
+import json
+
+from .declaration import (Boolean, Choice, Fields, Integer, ListOf, Named, Number, Text, described)
+from .stack import Restart
+from .stack_changes import MOST_INSTANCES
+
+_PATH = "from the root of the source tree; {robot} stands for the robot's name"
+_MEMBERS = ListOf(Text(), least=1, note="in the order of `services`")
+
+STACK = Fields(
+    required={
+        "bus": Fields({
+            "interface": Text("network interface of the DDS traffic"),
+            "tag": Text("discovery tag of Cyclone DDS: only programs with the same one meet",
+                        empty=True),
+        }, {
+            "peers": ListOf(Text(), "addresses of the other hosts, for a network without multicast"),
+        }),
+        "log_level": Choice(("trace", "debug", "info", "warning", "error"), "of every service"),
+        "timing": Fields({
+            "ready_s": Number(0.1, 600.0, "longest wait until the services of this host are ready"),
+        }),
+        "restart": Fields({
+            "first_s": Number(0.0, 60.0, "wait before the first restart of a service that crashed"),
+            "longest_s": Number(0.0, 600.0, "the wait doubles at each crash, up to this"),
+            "forget_s": Number(0.0, 86400.0, "who has run this long starts over with first_s"),
+        }),
+        "services": Named(
+            note="in start order; they are stopped in the reverse order",
+            name=r"^[a-z][a-z0-9_]*$",
+            item=Fields({
+                "binary": Text("name of a program in build/*/bin", pattern="^[^/]*$",
+                               otherwise="a path; expected the name of a program in build/*/bin"),
+                "instances": Integer(1, MOST_INSTANCES, "how many processes"),
+                "restart": Choice(tuple(r.value for r in Restart), "after a crash"),
+                "stop_s": Number(0.1, 600.0, "how long it may take to stop"),
+            }, {
+                "tick_master": Boolean("it has the one clock of the stack, and is told its pace"),
+                "robot": Text(f"robot file, {_PATH}"),
+                "config": Text(f"configuration file, {_PATH}"),
+            })),
+        "profiles": Named(Fields({
+            "services": _MEMBERS,
+        }, {
+            "elsewhere": _MEMBERS,
+            "unavailable": Text("why it cannot be started"),
+        }), "`services` are started on this host; those `elsewhere` belong to the stack, too"),
+    },
+    optional={"robot": Text("name of a file in config/robot; --robot says another one")})
+
+
+def stack_schema() -> str:
+    """The JSON Schema of stack.yaml."""
+    return json.dumps({
+        "$schema": "http://json-schema.org/draft-07/schema#",
+        "$comment": "Written by scarab config schema stack; do not edit.",
+        "title": "Scarab: deploy/stack.yaml",
+        **described(STACK)}, indent=2) + "\n"
