@@ -45,7 +45,7 @@ ChildProcess start(const ServiceLaunch& launch);
 
 /// Runs a program to its end; throws std::runtime_error if it takes longer than `limit`.
 struct Finished {
-  int exit_code;
+  int exit_code = -1;
   std::string out;
   std::string err;
 };

@@ -6,6 +6,7 @@
 
 #include "tests/support/eventually.hpp"
 #include "tests/support/files.hpp"
+#include "tests/support/test_bus.hpp"
 #include "tests/system/keeper.hpp"
 #include "tests/system/stack.hpp"
 #include "tests/system/trial_log.hpp"
@@ -67,7 +68,8 @@ class DisturbedTrial {
   [[nodiscard]] const std::filesystem::path& directory() const { return stack_.directory(); }
   [[nodiscard]] std::string result() const { return experiment_.out(); }
   [[nodiscard]] std::string words() const {
-    return experiment_.out() + experiment_.err() + stack_.errors();
+    const auto status = run({program("scarab-status"), "--tag", test_tag()});
+    return experiment_.out() + experiment_.err() + stack_.errors() + status.out;
   }
 
  private:

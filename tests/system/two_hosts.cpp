@@ -92,6 +92,14 @@ Finished TwoHosts::run_on(const Host& host, const Arguments& command) {
   return run(host.enter + command);
 }
 
+ChildProcess TwoHosts::start_script(const Host& host, const std::string& script,
+                                    const std::filesystem::path& output) {
+  const Arguments own_processes = {"/usr/bin/unshare", "--pid", "--fork", "--kill-child",
+                                   "--mount-proc"};
+  const std::string in_the_tree = "cd '" + source_file("").string() + "'\n" + script;
+  return {host.enter + own_processes + Arguments{"/bin/sh", "-c", in_the_tree}, output};
+}
+
 void TwoHosts::pull_the_cable() { must(first_, {"link", "set", kInterface, "down"}); }
 
 void TwoHosts::plug_the_cable_in() { must(first_, {"link", "set", kInterface, "up"}); }

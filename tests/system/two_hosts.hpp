@@ -1,5 +1,6 @@
 #pragma once
 
+#include <filesystem>
 #include <string>
 
 #include "tests/support/files.hpp"
@@ -26,6 +27,10 @@ class TwoHosts {
 
   /// Runs a command on a host to its end.
   static Finished run_on(const Host& host, const Arguments& command);
+  /// Starts a shell script on a host, in the root of the source tree. It sees no processes but its
+  /// own; all of those, daemons too, end with it.
+  static ChildProcess start_script(const Host& host, const std::string& script,
+                                   const std::filesystem::path& output);
 
   void pull_the_cable();
   void plug_the_cable_in();
