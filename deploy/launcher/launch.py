@@ -11,7 +11,7 @@ from .keeper_process import KeeperLine, Report, fork_keeper
 from .places import Places, shown
 from .preflight import check_configuration, resolved_configuration, write_configuration
 from .process_identity import ProcessIdentity
-from .run_directory import RunDirectory, create_run_directory
+from .run_directory import create_run_directory
 from .run_record import record_stack_run, source_version
 from .running_stack import Kind, RunningStack, forget_stack
 from .service_command import service_command

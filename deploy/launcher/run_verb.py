@@ -1,30 +1,25 @@
 """`scarab run`: a series of trials on a running or a fresh stack."""
 
 import argparse
-import sys
-from contextlib import contextmanager
 from pathlib import Path
-from typing import Iterator, List, Optional
+from typing import Optional
 
 from .domain_claim import claim_domain
-from .failure import Failure, Interrupted, UsageError
-from .figure import draw_figure, first_trial
-from .foreground import run_in_front
-from .keeper_events import Event, EventTail, KeeperEvents, event_line
-from .keeper_process import KeeperLine
+from .experiment import Stage, conduct, only_trials_of, stopped_in_the_end
+from .failure import Failure, UsageError
+from .keeper_events import EventTail
 from .launch import launch
 from .places import Places, shown
-from .process_identity import write_text
-from .run_directory import RunDirectory, create_run_directory
+from .run_directory import create_run_directory
 from .run_record import record_trials, source_version
+from .run_results import figure_of, mend_log, say_where
 from .running_stack import Kind, RunningStack, running_stacks
 from .signals import Signals
-from .stack import Bus, Pace
+from .stack import Pace
 from .stack_file import read_stack
 from .stack_options import DEFAULT_PROFILE, add_pace_options, add_stack_options, changes_of
 from .strategies import check_strategy, strategies_of, strategies_of_running
-from .trial_lock import TrialLock
-from .trial_options import add_trial_options, check_trial, trial_arguments
+from .trial_options import add_trial_options, check_trial
 from .verbs import Verbs
 
 _MORE = """It uses the stack that is up, at that stack's pace, and leaves it up; without one it starts a stack
@@ -67,19 +62,17 @@ def _run_on_its_own(options: argparse.Namespace, places: Places, signals: Signal
     kind = Kind.LASTING if options.keep else Kind.RUN
     launched = launch(places, stack, claim_domain(wanted), options.pace or Pace.LOCKSTEP, kind,
                       signals)
-    bus, directory = launched.run.bus, launched.run.directory
-    master = stack.tick_master()
+    directory, master = launched.run.directory, stack.tick_master()
+    stage = Stage(launched.run.bus, stack.expected(), master.name if master else "", launched.keeper)
     try:
-        with _stopped_in_the_end(launched.keeper, signals, options.keep), \
-                _only_trials_of(directory):
-            code = _experiment(options, places, bus, stack.expected(), directory, signals,
-                               launched.keeper, master.name if master else "")
+        with stopped_in_the_end(launched.keeper, signals, options.keep), only_trials_of(directory):
+            code = conduct(options, places, stage, directory, signals)
         if not options.keep:
-            _mend_log(places, directory, signals)
+            mend_log(places, directory, signals)
         if not options.no_figure:
-            _figure(places, directory, directory, signals)
+            figure_of(places, directory, directory, signals)
     finally:
-        _say_where(directory, directory)
+        say_where(directory, directory)
     if options.keep:
         print("the stack is still running: stop it with `deploy/scarab down`")
     return code
@@ -90,19 +83,19 @@ def _run_on(running: RunningStack, options: argparse.Namespace, places: Places,
     """On a stack that `up` started: it goes on running afterwards."""
     _check_fits(options, running)
     check_strategy(options.strategy, strategies_of_running(running))
-    with _only_trials_of(running.directory):
+    with only_trials_of(running.directory):
         directory = create_run_directory(places.runs)
         (directory.path / "stack").symlink_to(Path("..") / running.directory.path.name)
         record_trials(directory, running.directory, source_version(places.root))
         print(f"using the stack of {shown(running.directory.path)} that is up "
               f"(DDS domain {running.bus.domain}, {running.pace.words})")
         try:
-            code = _experiment(options, places, running.bus, running.expected, directory, signals,
-                               EventTail(running), running.tick_master)
+            stage = Stage(running.bus, running.expected, running.tick_master, EventTail(running))
+            code = conduct(options, places, stage, directory, signals)
             if not options.no_figure:
-                _figure(places, directory, running.directory, signals)
+                figure_of(places, directory, running.directory, signals)
         finally:
-            _say_where(directory, running.directory)
+            say_where(directory, running.directory)
         return code
 
 
@@ -133,100 +126,3 @@ def _lasting_stack(runs: Path, domain: Optional[int]) -> Optional[RunningStack]:
         raise Failure(f"the stack on DDS domain {stacks[0].bus.domain} is still starting, or is "
                       "stopping: see `deploy/scarab status`")
     return stacks[0]
-
-
-@contextmanager
-def _only_trials_of(stack_directory: RunDirectory) -> Iterator[None]:
-    """Nobody else runs trials on the stack meanwhile, and its keeper knows that some run."""
-    lock = TrialLock.try_take(stack_directory.trial_lock)
-    if lock is None:
-        raise Failure("trials are already running on this stack; wait for their end, or start "
-                      "a stack of your own with --domain N")
-    try:
-        yield
-    finally:
-        lock.release()
-
-
-def _experiment(options: argparse.Namespace, places: Places, bus: Bus, expected: str,
-                directory: RunDirectory, signals: Signals, keeper: KeeperEvents,
-                tick_master: str) -> int:
-    fault_file = directory.path / ".fault"
-    command = [str(places.program("scarab-experiment")), *bus.arguments(), "--expect", expected,
-               *trial_arguments(options), "--results", str(directory.results),
-               "--fault-file", str(fault_file)]
-
-    def watch() -> bool:
-        for event in keeper.events(signals):
-            _tell([event])
-            if event.get("service") == tick_master and event["event"] in ("crashed", "lost"):
-                write_text(fault_file, f"{tick_master} {event['text']}")  # nothing can save the trial
-        return not keeper.ended
-
-    try:
-        code = run_in_front(command, signals, watch=watch)
-    finally:
-        fault_file.unlink(missing_ok=True)
-    if keeper.ended:
-        raise Failure("the stack was stopped in the middle of the run, or its keeper has died; see "
-                      "`deploy/scarab logs launcher`")
-    if code < 0:
-        raise Failure(f"scarab-experiment was ended by signal {-code}")
-    return code
-
-
-@contextmanager
-def _stopped_in_the_end(keeper: KeeperLine, signals: Signals, keep: bool) -> Iterator[None]:
-    """Whatever happens inside, the stack is stopped; with `keep` only if something happens."""
-    try:
-        yield
-    except BaseException as error:
-        if isinstance(error, Interrupted):
-            print("\nscarab: stopping the stack", file=sys.stderr, flush=True)
-        _tell(keeper.stop(signals))
-        raise
-    if keep:
-        keeper.let_go()
-    else:
-        _tell(keeper.stop(signals))
-
-
-def _tell(events: List[Event]) -> None:
-    for line in filter(None, map(event_line, events)):
-        print(f"\nscarab: {line}", file=sys.stderr, flush=True)
-
-
-def _log_of(stack_directory: RunDirectory) -> Path:
-    closed = stack_directory.path / "trial.mcap"
-    return closed if closed.exists() else closed.with_name("trial.mcap.active")
-
-
-def _mend_log(places: Places, directory: RunDirectory, signals: Signals) -> None:
-    """A logger that was killed leaves its file open: what is whole in it becomes the log."""
-    closed = directory.path / "trial.mcap"
-    active = closed.with_name("trial.mcap.active")
-    if active.exists() and not closed.exists():
-        code = run_in_front([places.program("scarab-log"), "recover", active, closed], signals)
-        print(f"scarab: the logger did not close {active.name}; scarab-log recover "
-              f"{'made ' + closed.name + ' of it' if code == 0 else 'failed'}", file=sys.stderr)
-
-
-def _figure(places: Places, directory: RunDirectory, stack_directory: RunDirectory,
-            signals: Signals) -> None:
-    try:
-        draw_figure(places, _log_of(stack_directory), first_trial(directory.results),
-                    directory.path / "figure7", signals)
-    except Interrupted:
-        raise
-    except Failure as failure:
-        print(f"scarab: figure 7 could not be drawn: {failure}", file=sys.stderr)
-
-
-def _say_where(directory: RunDirectory, stack_directory: RunDirectory) -> None:
-    log = _log_of(stack_directory)
-    things = [("run", directory.path), ("log", log), ("results", directory.results),
-              ("figure", directory.path / "figure7.svg"), ("", directory.path / "figure7.png"),
-              ("configuration", stack_directory.config)]
-    for name, path in things:
-        if path.exists():
-            print(f"{name + ':' if name else '':15}{shown(path)}")

@@ -1,4 +1,4 @@
-"""What stack.yaml may hold. Notes are shown by editors that know its schema (`scarab config schema stack`)."""
+"""What stack.yaml may hold. Editors that know its schema (`scarab config schema stack`) show the notes."""
 
 import json
 

@@ -1,4 +1,4 @@
-"""Reads stack.yaml into a Stack. Its shape is declared elsewhere; here is what its parts say of each other."""
+"""Reads stack.yaml into a Stack: its shape is declared, what its parts say of each other is here."""
 
 from pathlib import Path
 from typing import Dict, List, Tuple

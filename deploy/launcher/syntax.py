@@ -16,7 +16,7 @@ class Argument:
     """An option or an operand."""
 
     name: str                      # as typed, or of the operand
-    kind: str = ""                 # what its value is: the operand's name, the option's without --, or FILE, DIR
+    kind: str = ""                 # what its value is: FILE, DIR, or the name without --
     choices: Tuple[str, ...] = ()
     takes_value: bool = True
     repeatable: bool = False

@@ -53,7 +53,8 @@ class Verbs:
         """A verb of the launcher. `text` is a line of the list; `more` follows it in its own help."""
         self._note(name, text)
         parser = self._sub.add_parser(
-            name, usage=f"scarab {name} [OPTION...]{operands}", allow_abbrev=False, formatter_class=argparse.RawDescriptionHelpFormatter,
+            name, usage=f"scarab {name} [OPTION...]{operands}", allow_abbrev=False,
+            formatter_class=argparse.RawDescriptionHelpFormatter,
             description=text[0].upper() + text[1:] + "." + (f"\n\n{more}" if more else ""),
             epilog=f"{_examples(examples)}\n\n{_EXIT_CODES}")
         parser.set_defaults(verb=function)
