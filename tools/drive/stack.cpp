@@ -117,7 +117,7 @@ std::optional<Notice> Stack::news_of_order() {
 std::string Stack::missing_for_trial() const {
   std::vector<std::string> missing;
   const auto master = tick_master();
-  if (!master || !board_.find(*master)) missing.emplace_back("a tick master");
+  if (!master || board_.find(*master) == nullptr) missing.emplace_back("a tick master");
   for (const char* service : {"supervisor", "premotor"}) {
     const auto& reports = board_.reports();
     const bool there = std::any_of(reports.begin(), reports.end(), [&](const auto& entry) {

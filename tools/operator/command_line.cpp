@@ -36,6 +36,16 @@ CLI::Validator input_range() {
   return {check, "-1..1"};
 }
 
+/// As long as the topic's field.
+CLI::Validator name_length() {
+  constexpr std::size_t kMost = sizeof(scarab_Operator::strategy) - 1;
+  const auto check = [](const std::string& text) {
+    return text.size() <= kMost ? std::string()
+                                : "longer than " + std::to_string(kMost) + " characters";
+  };
+  return {check, ""};
+}
+
 void add_tick_master_commands(CLI::App& app, Order& order) {
   add_command(app, order, scarab_OPERATOR_START, "start", "go on after a pause", "start");
   add_command(app, order, scarab_OPERATOR_PAUSE, "pause",
@@ -63,7 +73,9 @@ void add_supervisor_commands(CLI::App& app, Order& order) {
       add_command(app, order, scarab_OPERATOR_STRATEGY, "strategy",
                   "follow another strategy, from its approach on, until the trial ends",
                   "strategy boxing+hard");
-  strategy.add_option("name", order.word.strategy, "a strategy of config/supervisor")->required();
+  strategy.add_option("name", order.word.strategy, "a strategy of config/supervisor")
+      ->required()
+      ->check(name_length());
   auto& mode = add_command(app, order, scarab_OPERATOR_MODE, "mode",
                            "hold a mode, until automatic or strategy", "mode soft_push");
   const std::vector<std::string> names(supervisor::kModeNames.begin(),

@@ -98,19 +98,29 @@ const Exchange::Report* Exchange::acknowledging() const {
   return nullptr;
 }
 
-std::optional<Exchange::Report> Exchange::await_answer(
-    const std::function<bool(const Report&)>& shows, const std::function<bool()>& gives_up,
-    std::chrono::milliseconds limit) {
-  std::optional<bus::Peer> who;
+std::optional<bus::Peer> Exchange::await_acknowledgement(const std::function<bool()>& gives_up,
+                                                         std::chrono::milliseconds limit) {
+  const Report* answer = nullptr;
   wait_until(
       [&] {
-        const Report* answer = acknowledging();
-        if (answer != nullptr) who = answer->peer;
-        const Report* now = who ? board_.find(*who) : nullptr;
-        return (now != nullptr && shows(*now)) || (!who && gives_up());
+        answer = acknowledging();
+        return answer != nullptr || gives_up();
       },
       limit);
-  const Report* now = who ? board_.find(*who) : nullptr;
+  if (answer == nullptr) return std::nullopt;
+  return answer->peer;
+}
+
+std::optional<Exchange::Report> Exchange::await_effect(
+    const bus::Peer& peer, const std::function<bool(const Report&)>& shows,
+    std::chrono::milliseconds limit) {
+  wait_until(
+      [&] {
+        const Report* now = board_.find(peer);
+        return now != nullptr && shows(*now);
+      },
+      limit);
+  const Report* now = board_.find(peer);
   if (now == nullptr) return std::nullopt;
   return *now;
 }

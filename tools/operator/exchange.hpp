@@ -34,10 +34,13 @@ class Exchange {
 
   /// Says it, as of `trial`; stamped with the last time it is said.
   void say(const Order& order, std::uint32_t trial);
-  /// The report that acknowledges what was said, once it also shows what `shows` asks for; without
-  /// that after `limit` the acknowledgement alone; nothing if there is none, or once `gives_up()`.
-  std::optional<Report> await_answer(const std::function<bool(const Report&)>& shows,
-                                     const std::function<bool()>& gives_up,
+  /// Who has acknowledged what was said; nobody after `limit`, or once `gives_up()`.
+  std::optional<bus::Peer> await_acknowledgement(const std::function<bool()>& gives_up,
+                                                 std::chrono::milliseconds limit);
+  /// Its report once that shows what `shows` asks for, or as it is after `limit`; nothing if it has
+  /// gone.
+  std::optional<Report> await_effect(const bus::Peer& peer,
+                                     const std::function<bool(const Report&)>& shows,
                                      std::chrono::milliseconds limit);
 
   [[nodiscard]] const Report* report(const bus::Peer& peer) const { return board_.find(peer); }

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <iostream>
+#include <optional>
+#include <string>
 
 #include "common/runtime/operator_desk.hpp"
 #include "common/runtime/program.hpp"
@@ -16,7 +18,8 @@ using Report = runtime::ServiceReport;
 
 constexpr std::chrono::milliseconds kListenerLimit = 3s;
 constexpr std::chrono::milliseconds kAnswerLimit = 3s;
-constexpr std::chrono::milliseconds kStepLimit = 300ms;  // for each step more, in real time
+constexpr std::chrono::milliseconds kEffectLimit = 1s;
+constexpr std::chrono::milliseconds kTickLimit = 300ms;  // in real time a tick takes 100 ms
 
 /// What nobody must take for done.
 std::string warning(const Order& order) {
@@ -55,6 +58,24 @@ int report_silence(const Exchange& exchange, const bus::Peer& listener, const Or
               "' within " + std::to_string(kAnswerLimit / 1s) + " s" + stands);
 }
 
+int report_nobody(const runtime::BusOptions& bus_options, const Order& order) {
+  const bool for_master = runtime::is_for_tick_master(order.command);
+  return fail(
+      warning(order) + (for_master ? "no tick master (plant or robot bridge)" : "no supervisor") +
+      ": nobody listens on scarab/operator on " + where(bus_options) + " (is the stack up?)");
+}
+
+std::optional<bus::Peer> await_acknowledgement(Exchange& exchange, const Order& order) {
+  const auto since = std::chrono::steady_clock::now();
+  const bool for_master = runtime::is_for_tick_master(order.command);
+  return exchange.await_acknowledgement(
+      [&] {
+        const bool patient = std::chrono::steady_clock::now() - since < kTickLimit;
+        return !for_master && !patient && waits_for_a_tick(exchange);
+      },
+      kAnswerLimit);
+}
+
 /// An emergency stop is said before anybody is found: it is handed to the tick master the moment
 /// the two have met. All else is said to somebody known to listen, as of the running trial.
 int exchange_order(Exchange& exchange, const runtime::BusOptions& bus_options, const Order& order) {
@@ -62,25 +83,18 @@ int exchange_order(Exchange& exchange, const runtime::BusOptions& bus_options, c
   const bool for_master = runtime::is_for_tick_master(order.command);
   if (at_once) exchange.say(order, 0);
   const auto listener = exchange.find_listener(for_master, kListenerLimit);
-  if (!listener) {
-    return fail(
-        std::string(for_master ? "no tick master (plant or robot bridge)" : "no supervisor") +
-        ": nobody listens on scarab/operator on " + where(bus_options) + " (is the stack up?)");
-  }
+  if (!listener) return report_nobody(bus_options, order);
   const auto before = at_once ? std::nullopt : exchange.await_report(*listener, kListenerLimit);
   if (!at_once) {
     const auto trial = before ? std::max(before->header.trial, before->ready_trial) : 0;
     exchange.say(order, for_master ? 0 : trial);
   }
-  const auto since = std::chrono::steady_clock::now();
-  const auto answer = exchange.await_answer(
-      [&](const Report& now) { return shows_effect(order, before.value_or(now), now); },
-      [&] {
-        const bool patient = std::chrono::steady_clock::now() - since < kStepLimit;
-        return !for_master && !patient && waits_for_a_tick(exchange);
-      },
-      kAnswerLimit + (order.times - 1) * kStepLimit);
-  if (!answer) return report_silence(exchange, *listener, order);
+  const auto who = await_acknowledgement(exchange, order);
+  if (!who) return report_silence(exchange, *listener, order);
+  const auto answer = exchange.await_effect(
+      *who, [&](const Report& now) { return shows_effect(order, before.value_or(now), now); },
+      kEffectLimit + order.times * kTickLimit);
+  if (!answer) return fail(bus::to_string(*who) + " has gone since it took '" + order.name + "'");
   if (!for_master && answer->health != scarab_HEALTH_OK) return fail(sentence(*answer));
   std::cout << sentence(*answer) << '\n';
   return runtime::kExitSuccess;

@@ -164,6 +164,8 @@ TEST(OperatorAnswer, NobodyThereIsAFailure) {
   for (auto& tool : tools) {
     EXPECT_EQ(tool.wait(kPatience), 1);
     EXPECT_THAT(tool.err(), HasSubstr("nobody listens on scarab/operator"));
+    EXPECT_EQ(tool.err().find("DID NOT GET THROUGH") != std::string::npos, &tool == &tools[1])
+        << "of the emergency stop alone";
     EXPECT_THAT(tool.err(), HasSubstr("domain 0 with tag " + test_tag()));
   }
 }
@@ -173,7 +175,8 @@ TEST(OperatorUsage, BadWordsAreOneLine) {
        {Arguments{}, Arguments{"go"}, Arguments{"mode"}, Arguments{"mode", "fly"},
         Arguments{"inputs", "1", "0", "0"}, Arguments{"inputs", "1", "0", "0", "1.5"},
         Arguments{"inputs", "1", "0", "0", "nan"}, Arguments{"step", "0"}, Arguments{"step", "x"},
-        Arguments{"strategy"}, Arguments{"pause", "start"}}) {
+        Arguments{"strategy"}, Arguments{"strategy", std::string(64, 'x')},
+        Arguments{"pause", "start"}}) {
     const auto bad = operate(words);
     EXPECT_EQ(bad.exit_code, 2) << bad.out;
     EXPECT_EQ(std::count(bad.err.begin(), bad.err.end(), '\n'), 1) << bad.err;
