@@ -19,7 +19,7 @@ source <(deploy/scarab completion zsh)"""
 
 def add_verb(verbs: Verbs) -> None:
     parser = verbs.add("completion", completion, "print the completion script of a shell",
-                       _EXAMPLES, _MORE, operands=" SHELL")
+                       _EXAMPLES, _MORE, operands=" SHELL", of_stack=False)
     parser.add_argument("shell", metavar="SHELL", choices=_SHELLS, help="bash or zsh")
 
 

@@ -25,7 +25,7 @@ deploy/scarab sim --trials 20 --robot beetle --results table.csv"""
 
 def add_verb(verbs: Verbs) -> None:
     parser = verbs.add("sim", simulate, "run trials with the same cores in one process, without DDS",
-                       _EXAMPLES, _MORE)
+                       _EXAMPLES, _MORE, of_stack=False)
     add_data_options(parser)
     add_trial_options(parser)
     parser.add_argument("--output", metavar="FILE",

@@ -24,7 +24,7 @@ def bounded_integer(low: int, high: int) -> Callable[[str], int]:
     return parse
 
 
-def add_place_options(parser: argparse.ArgumentParser, domain: bool = True) -> None:
+def add_place_options(parser: argparse.ArgumentParser, domain: bool) -> None:
     """Of every verb: where things are."""
     places = parser.add_argument_group("places")
     if domain:

@@ -41,6 +41,7 @@ class Verbs:
         self._sub = self.parser.add_subparsers(prog="scarab", metavar="VERB", required=True,
                                                help=argparse.SUPPRESS)
         self.parsers: Dict[str, argparse.ArgumentParser] = {}
+        self._of_stack: Dict[str, bool] = {}
         self.tools: Dict[str, Tool] = {}
         self.texts: Dict[str, str] = {}
         self._lines: List[str] = []
@@ -49,8 +50,9 @@ class Verbs:
         self._lines += ["", f"{title}:"]
 
     def add(self, name: str, function: Function, text: str, examples: str,
-            more: str = "", operands: str = "") -> argparse.ArgumentParser:
-        """A verb of the launcher. `text` is a line of the list; `more` follows it in its own help."""
+            more: str = "", operands: str = "", of_stack: bool = True) -> argparse.ArgumentParser:
+        """A verb of the launcher. `text` is a line of the list; `more` follows it in its own help.
+        It takes --domain if it is `of_stack`: about a stack on DDS."""
         self._note(name, text)
         parser = self._sub.add_parser(
             name, usage=f"scarab {name} [OPTION...]{operands}", allow_abbrev=False,
@@ -59,6 +61,7 @@ class Verbs:
             epilog=f"{_examples(examples)}\n\n{_EXIT_CODES}")
         parser.set_defaults(verb=function)
         self.parsers[name] = parser
+        self._of_stack[name] = of_stack
         return parser
 
     def add_tool(self, name: str, program: str, text: str,
@@ -70,8 +73,8 @@ class Verbs:
 
     def finish(self, examples: str) -> None:
         """After the last one: what all have in common."""
-        for parser in self.parsers.values():
-            add_place_options(parser)
+        for name, parser in self.parsers.items():
+            add_place_options(parser, self._of_stack[name])
         self.parser.description = "\n".join([
             "Starts, watches and stops the Scarab stack, and runs trials on it.", *self._lines])
         self.parser.epilog = (f"`scarab VERB --help` shows the options of a verb.\n\n"

@@ -9,6 +9,7 @@ from ..failure import ConfigError
 from ..places import Places
 from ..stack import Bus, Stack
 from ..stack_file import read_stack
+from ..status.processes import expected_processes
 from .interfaces import LOOPBACK, flags_of, usable_interfaces
 from .ports import DdsProcess, dds_processes
 from .recorded import RecordedStack, recorded_stacks
@@ -60,8 +61,7 @@ class Subject:
     @functools.cached_property
     def reports(self) -> List[dict]:
         """What the services of all running stacks say of themselves."""
-        found = reports(self.places, [s.bus for s in self.running])
-        return [report for services in found.values() for report in services]
+        return reports(self.places, self.running)
 
     def seen_beside(self, bus: Bus) -> List[Seen]:
         """The same from this machine's other interfaces."""
@@ -98,10 +98,11 @@ class Subject:
                     yield _moved(self.buses[0], process.domain, interface)
 
     def _participants_on(self, bus: Bus) -> int:
-        """How many there must be at least, as the ports of this host tell."""
-        here = [p.participants for p in self.dds_processes
-                if p.domain == bus.domain and bus.interface in p.interfaces]
-        return max(1, sum(here))
+        """How many there must be at least, as the ports of this host tell, and the stack expects."""
+        here = sum(p.participants for p in self.dds_processes
+                   if p.domain == bus.domain and bus.interface in p.interfaces)
+        expected = [len(expected_processes(s.expected)) for s in self.running if s.bus == bus]
+        return max(1, here, *expected)
 
     def _planned_bus(self) -> Bus:
         domain = _UNTOLD_DOMAIN if self.options.domain is None else self.options.domain

@@ -8,8 +8,10 @@ from typing import Dict, List, Optional, Sequence, Tuple
 from ..places import Places
 from ..spawn import clean_environment
 from ..stack import Bus
+from .recorded import RecordedStack
 
-_LOOK_S = 1.5
+_GLANCE_S = 1.0  # where perhaps nobody is
+_LOOK_S = 3.0    # where several must be; ends when they have been seen
 _PATIENCE_S = 20.0
 Answer = Tuple[Optional[dict], str]  # a document or None, and what the program complained about
 
@@ -26,17 +28,18 @@ class Seen:
 
 def survey(places: Places, buses: Dict[Bus, int]) -> Dict[Bus, Seen]:
     """Looks at all buses, each with the number of participants that must be there."""
-    commands = [[str(places.bin / "scarab-doctor"), *bus.arguments(), "--timeout", f"{_LOOK_S:g}",
-                 "--participants", str(count)] for bus, count in buses.items()]
+    commands = [[str(places.bin / "scarab-doctor"), *bus.arguments(), "--participants", str(count),
+                 "--timeout", f"{_LOOK_S if count > 1 else _GLANCE_S:g}"]
+                for bus, count in buses.items()]
     return {bus: Seen(bus, *_parts(document, "participants", "mismatches"), fault)
             for bus, (document, fault) in zip(buses, _ask_all(commands))}
 
 
-def reports(places: Places, buses: Sequence[Bus]) -> Dict[Bus, Sequence[dict]]:
-    """What the services on each bus say of themselves."""
-    commands = [[str(places.bin / "scarab-status"), *bus.arguments(), "--json"] for bus in buses]
-    return {bus: _parts(document, "services")[0]
-            for bus, (document, _) in zip(buses, _ask_all(commands))}
+def reports(places: Places, stacks: Sequence[RecordedStack]) -> List[dict]:
+    """What the services of all these stacks say of themselves."""
+    commands = [[str(places.bin / "scarab-status"), *stack.bus.arguments(), "--json", "--wait",
+                 stack.expected, "--timeout", f"{_LOOK_S:g}"] for stack in stacks]
+    return [report for document, _ in _ask_all(commands) for report in _parts(document, "services")[0]]
 
 
 def _parts(document: Optional[dict], *keys: str) -> List[Sequence[dict]]:

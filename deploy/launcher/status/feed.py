@@ -9,16 +9,21 @@ from ..places import Places
 from ..running_stack import RunningStack
 from ..spawn import spawn
 
+_LOOK_S = 1.0
+_PATIENCE_S = 3.0  # with who says nothing
+
 
 class Feed:
-    """A scarab-status that looks on at one stack. A context: it ends with it."""
+    """A scarab-status that looks on at one stack; to be closed."""
 
     def __init__(self, places: Places, stack: RunningStack, period_s: Optional[float]):
         """Without a period there is one document only."""
         self.stack = stack
-        again = ["--watch", "--period", f"{period_s:g}"] if period_s else []
-        self._process = spawn([places.program("scarab-status"), *stack.bus.arguments(), "--json", *again],
-                              stdout=subprocess.PIPE, stderr=subprocess.DEVNULL)
+        how = ["--watch", "--period", f"{period_s:g}"] if period_s else ["--look", f"{_LOOK_S:g}"]
+        self._process = spawn(
+            [places.program("scarab-status"), *stack.bus.arguments(), "--json", *how,
+             "--wait", stack.expected, "--timeout", f"{_PATIENCE_S:g}"],
+            stdout=subprocess.PIPE, stderr=subprocess.DEVNULL)
         os.set_blocking(self._process.stdout.fileno(), False)
         self._buffer = b""
         self.document: Optional[dict] = None  # the newest

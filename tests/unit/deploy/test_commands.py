@@ -42,11 +42,14 @@ class Commands(FakeStackTest):
                 "[logger, plant, premotor]", "[logger, plant, premotor, supervisor]"))
 
     def code_of(self, verb, *words):
-        return self.scarab(verb, *self.words, *words)[0]
+        return self.scarab(verb, *self.where(verb), *words)[0]
+
+    def where(self, verb):
+        return () if verb in ("sim", "completion") else self.words
 
     def interrupted(self, verb, *words):
         """Ends the verb by Ctrl-C once a program of it runs."""
-        launcher = self.start(verb, *self.words, *words)
+        launcher = self.start(verb, *self.where(verb), *words)
         wait_until(lambda: self.living() or launcher.poll() is not None, "something runs")
         os.kill(launcher.pid, signal.SIGINT)
         return self.finish(launcher)[0]
