@@ -119,10 +119,10 @@ void visit_fields(Fields& f, StartConfig& c) {
 
 template <class Fields, Quantity kQuantity>
 void visit_fields(Fields& f, SensorConfig<kQuantity>& c) {
-  constexpr UnitKeys kKeys = unit_keys(kQuantity);
-  f(kKeys.noise, c.noise, config::kNonNegative);
-  f(kKeys.bias, c.bias, config::kNonNegative);
-  f(kKeys.quantum, c.quantum, config::kNonNegative);
+  constexpr UnitKeys keys = unit_keys(kQuantity);
+  f(keys.noise, c.noise, config::kNonNegative);
+  f(keys.bias, c.bias, config::kNonNegative);
+  f(keys.quantum, c.quantum, config::kNonNegative);
   f("latency_s", c.latency_s, kDelay);
   f("dropout", c.dropout, kLoss);
 }
