@@ -27,8 +27,10 @@ int main(int argc, char** argv) {
            }
          },
          "wait until these services are up, such as plant=1,premotor=1")
-      ->type_name("NAME=COUNT,...")
-      ->excludes("--watch");
+      ->type_name("NAME=COUNT,...");
+  app.add_option("--look", options.look_s, "look at least so long, s: longer makes rates truer")
+      ->check(CLI::Range(0.0, 3600.0))
+      ->capture_default_str();
   app.add_option("--timeout", options.timeout_s, "how long to wait, s")
       ->check(CLI::Range(0.0, 3600.0))
       ->capture_default_str();

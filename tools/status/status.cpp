@@ -1,5 +1,6 @@
 #include "tools/status/status.hpp"
 
+#include <algorithm>
 #include <chrono>
 #include <iostream>
 
@@ -52,16 +53,13 @@ class Onlooker {
     wait_set_.attach(guard_);
   }
 
-  /// Until `done()`, a request to stop, or the time is over.
-  template <class Done>
-  void look(Seconds limit, Done&& done) {
-    const auto since = Clock::now();
-    while (!asked_to_stop() && Clock::now() - since < limit) {
-      wait_set_.wait(kPoll);
-      board_.update();
-      rates_.observe(board_.reports(), Clock::now());
-      if (done()) return;
-    }
+  /// For this long, or until a request to stop.
+  void look(Seconds time) {
+    look_until(time, [] { return false; });
+  }
+  /// Until all of these are there and well, at most `limit`.
+  void await(const runtime::Expectation& services, Seconds limit) {
+    look_until(limit, [&] { return troubles(board_, services).empty(); });
   }
 
   [[nodiscard]] bool asked_to_stop() const { return shutdown_.requested(); }
@@ -84,6 +82,15 @@ class Onlooker {
   }
 
  private:
+  template <class Done>
+  void look_until(Seconds limit, Done&& done) {
+    const auto since = Clock::now();
+    while (!asked_to_stop() && Clock::now() - since < limit && !done()) {
+      wait_set_.wait(kPoll);
+      board_.update();
+      rates_.observe(board_.reports(), Clock::now());
+    }
+  }
   [[nodiscard]] std::string host_of(const bus::Peer& peer) const {
     for (const auto& [guid, participant] : participants_.all()) {
       if (participant.peer == peer) return participant.host;
@@ -110,8 +117,8 @@ void print(const Snapshot& snapshot, bool as_json) {
 int show(const StatusOptions& options) {
   Onlooker onlooker(options.bus);
   const bool waiting = !options.wait_for.empty();
-  onlooker.look(waiting ? Seconds(options.timeout_s) : kDiscovery,
-                [&] { return waiting && troubles(onlooker.board(), options.wait_for).empty(); });
+  onlooker.look(waiting ? Seconds(options.look_s) : std::max(Seconds(options.look_s), kDiscovery));
+  if (waiting) onlooker.await(options.wait_for, Seconds(options.timeout_s - options.look_s));
   print(onlooker.snapshot(), options.json);
   if (waiting) {
     const auto left = troubles(onlooker.board(), options.wait_for);
@@ -126,8 +133,9 @@ int show(const StatusOptions& options) {
 
 int watch(const StatusOptions& options) {
   Onlooker onlooker(options.bus);
+  if (!options.wait_for.empty()) onlooker.await(options.wait_for, Seconds(options.timeout_s));
   while (!onlooker.asked_to_stop() && std::cout) {
-    onlooker.look(Seconds(options.period_s), [] { return false; });
+    onlooker.look(Seconds(options.period_s));
     if (!onlooker.asked_to_stop()) print(onlooker.snapshot(), options.json);
   }
   return runtime::kExitSuccess;

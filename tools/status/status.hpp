@@ -7,8 +7,9 @@ namespace scarab::status {
 
 struct StatusOptions {
   runtime::BusOptions bus;
-  runtime::Expectation wait_for;  ///< empty: whoever answers within a moment
-  double timeout_s = 10;
+  runtime::Expectation wait_for;  ///< empty: whoever answers while it looks
+  double timeout_s = 10;          ///< of the wait
+  double look_s = 0;              ///< at least; for rates
   bool json = false;
   bool watch = false;  ///< again and again, until SIGINT or SIGTERM
   double period_s = 1;

@@ -33,7 +33,9 @@ def endpoints(subject: Subject) -> List[Finding]:
             found.append(problem(f"DDS domain {bus.domain} cannot be looked at: {seen.fault}",
                                  "See the other findings."))
         found += [_mismatch(m) for m in seen.mismatches]
-    return found or [ok("every writer and reader of a topic that are there fit together")]
+    if not found and not any(subject.seen(bus).participants for bus in subject.buses):
+        return [ok("nobody is there to be looked at")]
+    return found or [ok("all writers and readers of a topic fit together")]
 
 
 def _mismatch(mismatch: dict) -> Finding:

@@ -76,12 +76,12 @@ class Subject:
     def search(self, bus: Bus) -> List[Seen]:
         """Looks at other domains by the same interface, in the hope to find who is missed."""
         places = [_moved(bus, domain, bus.interface) for domain in _SEARCHED if domain != bus.domain]
-        return list(survey(self.places, {place: 1 for place in places}).values())
+        return list(survey(self.places, {place: 1 for place in places}, []).values())
 
     @functools.cached_property
     def _surveys(self) -> Dict[Bus, Seen]:
         wanted = {bus: self._participants_on(bus) for bus in self._places_to_look()}
-        return survey(self.places, wanted)
+        return survey(self.places, wanted, [s.bus for s in self.running])
 
     def _places_to_look(self) -> Iterator[Bus]:
         """The stacks' own, the same by other interfaces, and where else DDS programs of this host are."""

@@ -10,8 +10,8 @@ from ..spawn import clean_environment
 from ..stack import Bus
 from .recorded import RecordedStack
 
-_GLANCE_S = 1.0  # where perhaps nobody is
-_LOOK_S = 3.0    # where several must be; ends when they have been seen
+_GLANCE_S = 1.0
+_LOOK_S = 3.0  # at a stack; ends when all of it have been seen
 _PATIENCE_S = 20.0
 Answer = Tuple[Optional[dict], str]  # a document or None, and what the program complained about
 
@@ -26,10 +26,11 @@ class Seen:
     fault: str = ""
 
 
-def survey(places: Places, buses: Dict[Bus, int]) -> Dict[Bus, Seen]:
-    """Looks at all buses, each with the number of participants that must be there."""
+def survey(places: Places, buses: Dict[Bus, int], stacks: Sequence[Bus]) -> Dict[Bus, Seen]:
+    """Looks at all buses, each with the number of participants that must be there; longer, if that is
+    needed to see them all, at those that are a running stack's."""
     commands = [[str(places.bin / "scarab-doctor"), *bus.arguments(), "--participants", str(count),
-                 "--timeout", f"{_LOOK_S if count > 1 else _GLANCE_S:g}"]
+                 "--timeout", f"{_LOOK_S if bus in stacks else _GLANCE_S:g}"]
                 for bus, count in buses.items()]
     return {bus: Seen(bus, *_parts(document, "participants", "mismatches"), fault)
             for bus, (document, fault) in zip(buses, _ask_all(commands))}

@@ -1,19 +1,25 @@
 """What is wrong with the machine and the installation: packages, programs, files, disk, rights."""
 
 import os
+import resource
 import shutil
 import subprocess
-import time
 
 import case
 from case import SOURCE_ROOT, DoctorCase, sh
 
 
+def processor_s():
+    """What the programs run by this process have used."""
+    used = resource.getrusage(resource.RUSAGE_CHILDREN)
+    return used.ru_utime + used.ru_stime
+
+
 class Machine(DoctorCase):
     def test_machine_that_is_well_is_told_so_at_once(self):
-        begin = time.monotonic()
+        begin = processor_s()
         found = self.doctor("--domain", "4")
-        self.assertLess(time.monotonic() - begin, 3.0)
+        self.assertLess(processor_s() - begin, 1.5)  # whatever else keeps the machine busy
         self.assertEqual([f for f in found if f[1] == "problem"], [])
 
     def test_table_for_people(self):

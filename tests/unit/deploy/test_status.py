@@ -14,11 +14,11 @@ from launcher.status.screen import Screen, clipped
 from launcher.status.table import duration, time_text
 from launcher.status.waits import waits
 
-# Stands in for scarab-status: what its file `said` holds, with --watch every 0.05 s.
+# Stands in for scarab-status: everybody is ready; what its file `said` holds, with --watch every 0.05 s.
 SAYS = """#!/usr/bin/python3
 import sys, time
 from pathlib import Path
-if "--wait" in sys.argv:
+if "--json" not in sys.argv:
     sys.exit(0)
 while True:
     print(Path(__file__).with_name("said").read_text().strip(), flush=True)
