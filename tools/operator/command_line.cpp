@@ -12,6 +12,7 @@ namespace {
 using Command = supervisor::OperatorWord::Command;
 
 constexpr unsigned kStepsMost = 1000;
+constexpr std::size_t kNameMost = sizeof(scarab_Operator::strategy) - 1;
 
 CLI::App& add_command(CLI::App& app, Order& order, scarab_OperatorCommand command,
                       const std::string& name, const std::string& help,
@@ -38,10 +39,9 @@ CLI::Validator input_range() {
 
 /// As long as the topic's field.
 CLI::Validator name_length() {
-  constexpr std::size_t kMost = sizeof(scarab_Operator::strategy) - 1;
   const auto check = [](const std::string& text) {
-    return text.size() <= kMost ? std::string()
-                                : "longer than " + std::to_string(kMost) + " characters";
+    return text.size() <= kNameMost ? std::string()
+                                    : "longer than " + std::to_string(kNameMost) + " characters";
   };
   return {check, ""};
 }
