@@ -8,24 +8,9 @@
 #include "common/runtime/program.hpp"
 #include "common/runtime/shutdown.hpp"
 #include "services/plant/config.hpp"
-#include "services/plant/core/morphology.hpp"
 #include "services/plant/service.hpp"
 
 using namespace scarab;
-
-namespace {
-
-/// A robot that can be described but not simulated is refused before anything starts.
-void require_simulable(const robot::RobotModel& robot, const plant::PlantConfig& plant,
-                       const std::string& robot_file) {
-  try {
-    (void)plant::make_morphology(robot, plant.object);
-  } catch (const std::invalid_argument& error) {
-    throw config::Error(robot_file, {}, "(top level)", error.what());
-  }
-}
-
-}  // namespace
 
 int main(int argc, char** argv) {
   CLI::App app{"The simulated robot and its world: joint commands in, robot state out.",
@@ -42,7 +27,11 @@ int main(int argc, char** argv) {
   return runtime::run_program(app, argc, argv, [&] {
     const auto robot = config::load_robot(robot_file);
     const auto plant = plant::load_config(options.config);
-    require_simulable(robot, plant, robot_file);
+    try {
+      plant::require_simulable(robot, plant);
+    } catch (const std::invalid_argument& error) {
+      throw config::Error(robot_file, {}, "(top level)", error.what());
+    }
     if (options.check) return runtime::kExitSuccess;
     if (options.dump_config) {
       std::cout << plant::dump_config(plant);

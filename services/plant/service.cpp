@@ -2,6 +2,7 @@
 
 #include <cmath>
 
+#include "services/plant/core/morphology.hpp"
 #include "services/plant/plant_body.hpp"
 
 namespace scarab::plant {
@@ -26,6 +27,10 @@ void serve(const runtime::ServiceOptions& options, runtime::Pace pace, const Pla
       std::lround(config.timing.control_period_s / config.timing.sensor_period_s));
   runtime::TickMaster master(participant, options, self, master_options, body, gate);
   master.run();
+}
+
+void require_simulable(const robot::RobotModel& robot, const PlantConfig& config) {
+  (void)make_morphology(robot, config.object);
 }
 
 }  // namespace scarab::plant

@@ -12,4 +12,7 @@ namespace scarab::plant {
 void serve(const runtime::ServiceOptions& options, runtime::Pace pace, const PlantConfig& config,
            const robot::RobotModel& robot);
 
+/// A robot may be described that cannot be simulated: throws std::invalid_argument saying why.
+void require_simulable(const robot::RobotModel& robot, const PlantConfig& config);
+
 }  // namespace scarab::plant
