@@ -85,7 +85,9 @@ def _run_on(running: RunningStack, options: argparse.Namespace, places: Places,
     check_strategy(options.strategy, strategies_of_running(running))
     with only_trials_of(running.directory):
         directory = create_run_directory(places.runs)
-        (directory.path / "stack").symlink_to(Path("..") / running.directory.path.name)
+        stack_directory = Path("..") / running.directory.path.name
+        (directory.path / "stack").symlink_to(stack_directory)
+        directory.logs.symlink_to(stack_directory / "logs")  # for `scarab logs`, when it is down again
         record_trials(directory, running.directory, source_version(places.root))
         print(f"using the stack of {shown(running.directory.path)} that is up "
               f"(DDS domain {running.bus.domain}, {running.pace.words})")

@@ -37,6 +37,7 @@ class Up(FakeStackTest):
         self.assertEqual(self.scarab("down", *self.words)[0], 0)
         self.assertEqual(self.living(), [])
         self.assertEqual(self.scarab("status", *self.words)[0], 1)
+        self.assertIn("a line of scarab-plant", self.scarab("logs", "plant", *self.words)[1])
 
     def test_down_without_a_stack_is_no_error(self):
         code, out, _ = self.scarab("down", *self.words)
