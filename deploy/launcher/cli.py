@@ -73,7 +73,7 @@ def _dispatch(words: List[str]) -> int:
 def _add_status(verbs: Verbs) -> None:
     parser = verbs.add("status", status_verb.status,
                        "show the processes and services of the running stacks",
-                       "deploy/scarab status")
+                       "deploy/scarab status\ndeploy/scarab status --watch")
     _add_own_options(status_verb, parser)
 
 
@@ -91,7 +91,8 @@ def _add_logs(verbs: Verbs) -> None:
 def _add_doctor(verbs: Verbs) -> None:
     parser = verbs.add("doctor", doctor_verb.doctor,
                        "look for what keeps a stack from running, and say what to do",
-                       "deploy/scarab doctor")
+                       "deploy/scarab doctor\ndeploy/scarab doctor sides endpoints --domain 4",
+                       operands=" [CHECK...]")
     add_profile_option(parser)
     _add_own_options(doctor_verb, parser)
 
