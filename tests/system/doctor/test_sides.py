@@ -75,7 +75,7 @@ class OtherHost(DoctorCase):
                                r"w0, the stack is on lo: they do not meet$")
         self.assertIn("--interface w0", advice)
 
-    def test_halves_of_a_stack_on_different_domains(self):
+    def test_halves_of_a_stack_on_different_domains_until_they_meet(self):
         self.up("--profile", "plant-host", "--interface", "w0")
         self.somebody_there("premotor", domain=9)
         found = [f[2:] for f in self.doctor("sides") if f[1] == "problem"]
@@ -87,9 +87,6 @@ class OtherHost(DoctorCase):
         self.assertEqual(others, "logger/0 and supervisor/0 are expected, but are not seen on DDS domain "
                                  "4 by interface w0")
         self.assertIn("let UDP ports 8400 to 8649 pass the firewalls of both", firewalls)
-
-    def test_halves_that_have_met_are_well(self):
-        self.up("--profile", "plant-host", "--interface", "w0")
         for service in ("premotor", "supervisor", "logger"):
             self.somebody_there(service)
         self.assertEqual([f[1] for f in self.doctor("sides")], ["ok"])
