@@ -35,10 +35,13 @@ class OperatorDesk {
   [[nodiscard]] bus::Reader<scarab_Operator>& reader() { return reader_; }
 
  private:
+  bool counts(const scarab_Operator& said);
+
   bus::Reader<scarab_Operator> reader_;
   bool paused_ = false;
   unsigned steps_ = 0;
   std::int64_t stamp_ns_ = 0;
+  std::int64_t emergency_stamp_ns_ = 0;
 };
 
 }  // namespace scarab::runtime

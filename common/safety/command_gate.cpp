@@ -40,7 +40,7 @@ void CommandGate::expect(std::uint32_t tick) {
   const bool too_many =
       options_.stale_ticks_limit > 0 && stale_ticks_ >= options_.stale_ticks_limit;
   if (too_many && !safe_stop_) {
-    emergency_stop("no valid joint_command for " + std::to_string(stale_ticks_) + " ticks");
+    hold("no valid joint_command for " + std::to_string(stale_ticks_) + " ticks");
   }
   expected_ = tick;
   answered_ = false;
@@ -108,15 +108,20 @@ const Offer* CommandGate::remembered(std::uint32_t tick) const {
 }
 
 void CommandGate::emergency_stop(std::string reason) noexcept {
-  if (safe_stop_) return;  // the first cause is the one to know
+  if (emergency_) return;  // the first one is the one to know
+  emergency_ = true;
+  hold(std::move(reason));
+}
+
+void CommandGate::hold(std::string reason) noexcept {
+  counters_.safe_stops += safe_stop_ ? 0 : 1;
   safe_stop_ = true;
   safe_stop_reason_ = std::move(reason);
-  ++counters_.safe_stops;
 }
 
 void CommandGate::reset() noexcept {
   if (!safe_stop_) return;
-  safe_stop_ = false;
+  safe_stop_ = emergency_ = false;
   safe_stop_reason_.clear();
   stale_ticks_ = 0;
   homing_ = true;

@@ -62,7 +62,8 @@ class CommandGate {
   /// What to apply (rad, joint slots): always finite, 0 for absent joints.
   [[nodiscard]] const robot::JointVector& target_rad() const { return limiter_.target_rad(); }
 
-  /// Latched until reset().
+  /// Latched until reset(). Its reason takes the place of that of a safe stop which the gate itself
+  /// has begun, not of an earlier emergency stop.
   void emergency_stop(std::string reason) noexcept;
   void reset() noexcept;
   /// Targets hold still; a driver whose robot asks for it drops the torque meanwhile.
@@ -75,6 +76,7 @@ class CommandGate {
 
  private:
   void go_home();
+  void hold(std::string reason) noexcept;
   Verdict judge(const Offer& offer);
   Verdict accept(const Offer& offer);
   [[nodiscard]] Verdict compare(const Offer& known, const Offer& offer) const;
@@ -94,6 +96,7 @@ class CommandGate {
   robot::JointVector home_rad_{};
   bool homing_ = false;
   bool safe_stop_ = false;
+  bool emergency_ = false;  ///< the safe stop is an emergency stop
   std::string safe_stop_reason_;
 
   /// Answers to the newest ticks, by tick modulo the size: a replica's late answer is compared, not

@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include "common/bus/clock.hpp"
 #include "common/bus/sample_fields.hpp"
 #include "common/bus/waitset.hpp"
 #include "common/bus/writer.hpp"
@@ -22,8 +23,12 @@ class OperatorDeskTest : public testing::Test {
   OperatorDesk::Requests say(scarab_OperatorCommand command, const std::string& reason = "") {
     scarab_Operator said{};
     said.command = command;
-    said.header.stamp_ns = ++stamp_ns_;
+    said.header.stamp_ns = stamp_ns_ = bus::now_ns();
     bus::assign(said.reason, reason);
+    return say(said);
+  }
+  OperatorDesk::Requests say(const scarab_Operator& said) {
+    last_ = said;
     writer_.write(said);
     EXPECT_TRUE(wait_set_.wait(test::kPatience));
     return desk_.update();
@@ -34,7 +39,8 @@ class OperatorDeskTest : public testing::Test {
   bus::Writer<scarab_Operator> writer_{person_, bus::kOperator};
   bus::WaitSet wait_set_{plant_};
   OperatorDesk desk_{plant_};
-  std::int64_t stamp_ns_ = 1000;
+  std::int64_t stamp_ns_ = 0;
+  scarab_Operator last_{};
 };
 
 TEST_F(OperatorDeskTest, RunsUntilToldOtherwise) {
@@ -102,14 +108,34 @@ TEST_F(OperatorDeskTest, AcknowledgesWhatItCarriedOut) {
   }
 }
 
+/// What a reader is given that joins late, or again after a network was cut.
+TEST_F(OperatorDeskTest, ARepeatedResetDoesNotEndALaterStop) {
+  say(scarab_OPERATOR_RESET);
+  const scarab_Operator reset = last_;
+  ASSERT_TRUE(say(scarab_OPERATOR_EMERGENCY_STOP).emergency_stop);
+  EXPECT_FALSE(say(reset).reset);
+}
+
+TEST_F(OperatorDeskTest, OldWordsDoNotCountButAnEmergencyStopDoes) {
+  scarab_Operator old{};
+  old.header.stamp_ns = bus::now_ns() - 60'000'000'000;
+  old.command = scarab_OPERATOR_PAUSE;
+  say(old);
+  EXPECT_FALSE(desk_.paused());
+  old.command = scarab_OPERATOR_EMERGENCY_STOP;
+  EXPECT_TRUE(say(old).emergency_stop);
+  EXPECT_FALSE(say(old).emergency_stop) << "it has been carried out, and perhaps reset since";
+}
+
 TEST_F(OperatorDeskTest, LeavesTheSupervisorsCommandsToIt) {
   say(scarab_OPERATOR_PAUSE);
+  const std::int64_t paused_at_ns = stamp_ns_;
   for (const auto command : {scarab_OPERATOR_AUTOMATIC, scarab_OPERATOR_STRATEGY,
                              scarab_OPERATOR_MODE, scarab_OPERATOR_INPUTS}) {
     const auto requests = say(command);
     EXPECT_FALSE(requests.stop || requests.emergency_stop || requests.reset);
     EXPECT_TRUE(desk_.paused());
-    EXPECT_EQ(desk_.stamp_ns(), 1001);
+    EXPECT_EQ(desk_.stamp_ns(), paused_at_ns);
   }
 }
 

@@ -31,6 +31,20 @@ TEST(SafeStop, KeepsItsFirstReasonAndCountsOnce) {
   EXPECT_EQ(gate.counters().safe_stops, 1U);
 }
 
+TEST(SafeStop, OfAPersonTakesOverFromTheGatesOwn) {
+  CommandGate gate = ready_gate(2);
+  for (std::uint32_t tick = 1; !gate.in_safe_stop(); ++tick) gate.expect(tick);
+  gate.emergency_stop("operator");
+  EXPECT_EQ(gate.safe_stop_reason(), "operator");
+  EXPECT_EQ(gate.counters().safe_stops, 1U);
+  gate.expect(50);
+  gate.expect(60);
+  EXPECT_EQ(gate.safe_stop_reason(), "operator");
+  gate.reset();
+  gate.emergency_stop("operator, again");
+  EXPECT_EQ(gate.safe_stop_reason(), "operator, again");
+}
+
 TEST(SafeStop, OutlivesTheTrial) {
   CommandGate gate = ready_gate();
   gate.emergency_stop("operator");
