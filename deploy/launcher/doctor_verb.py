@@ -19,7 +19,7 @@ from .doctor.services import care, clock
 from .doctor.sides import sides
 from .doctor.storage import storage
 from .doctor.subject import Subject
-from .failure import EXIT_FAILURE, EXIT_OK, UsageError
+from .failure import EXIT_FAILURE, EXIT_OK
 from .places import Places
 from .strict_yaml import did_you_mean
 
@@ -41,21 +41,22 @@ _CHECKS: Tuple[Tuple[str, Check], ...] = (
     ("realtime", realtime),
     ("realtime", care),
 )
+_ALL = "all"
 _COLUMN = 15
 _PAINT = {Level.OK: "green", Level.NOTE: "yellow", Level.PROBLEM: "red"}
 
 
 def add_options(parser: argparse.ArgumentParser) -> None:
-    names = list(dict.fromkeys(name for name, _ in _CHECKS))
-    parser.add_argument("checks", nargs="*", metavar="CHECK",
-                        help=f"only these: {', '.join(names)} (all)")
+    parser.add_argument("checks", nargs="*", metavar="CHECK", type=_check_name, default=_ALL,
+                        choices=[*_names(), _ALL], help=f"only these: {', '.join(_names())} (all)")
     parser.add_argument("--json", action="store_true",
                         help="one JSON document: healthy, findings (check, level, what, advice)")
 
 
 def doctor(options: argparse.Namespace, places: Places) -> int:
-    """1 if a problem was found; UsageError for a check or a profile that is not there."""
-    checks = _chosen(options.checks)
+    """1 if a problem was found; UsageError for a profile that is not there."""
+    checks = [(name, check) for name, check in _CHECKS
+              if _ALL in options.checks or name in options.checks]
     subject = Subject(options, places)
     found = []
     for name, finding in _findings(checks, subject):
@@ -72,13 +73,15 @@ def doctor(options: argparse.Namespace, places: Places) -> int:
     return EXIT_FAILURE if problems else EXIT_OK
 
 
-def _chosen(names: Sequence[str]) -> Sequence[Tuple[str, Check]]:
-    known = [name for name, _ in _CHECKS]
-    for name in names:
-        if name not in known:
-            raise UsageError(f"doctor knows no check '{name}'{did_you_mean(name, known)}; it has "
-                             f"{', '.join(dict.fromkeys(known))}")
-    return [(name, check) for name, check in _CHECKS if not names or name in names]
+def _names() -> List[str]:
+    return list(dict.fromkeys(name for name, _ in _CHECKS))
+
+
+def _check_name(text: str) -> str:
+    """An argparse type."""
+    if text not in (*_names(), _ALL):
+        raise argparse.ArgumentTypeError(f"there is no check '{text}'{did_you_mean(text, _names())}")
+    return text
 
 
 def _findings(checks: Sequence[Tuple[str, Check]],
