@@ -86,8 +86,12 @@ std::string domain_config(const ParticipantOptions& options,
   // Longer than any wait of a running trial: a process that is stopped or starved for less is not
   // forgotten, so nothing sent meanwhile is lost. That it is silent shows in service_status after 1
   // s.
+  // An announcement that nobody heard is repeated after SPDPInterval; else after most of the lease,
+  // and by then a running trial that waits for a restarted service has been given up.
   return document(interfaces(options) + multicast(options),
-                  kGuessablePorts + ("<LeaseDuration>12s</LeaseDuration>" + whereabouts(options)));
+                  kGuessablePorts + ("<LeaseDuration>12s</LeaseDuration>"
+                                     "<SPDPInterval>1s</SPDPInterval>" +
+                                     whereabouts(options)));
 }
 
 }  // namespace scarab::bus

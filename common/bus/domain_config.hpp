@@ -26,8 +26,8 @@ struct ParticipantOptions {
 ///
 /// Without `base` it is the built-in one: the given interface, discovery by multicast or, where
 /// `peers` are given, by asking each of them; up to 64 participants a host, a lost process
-/// forgotten after 12 s. With `base` (the text of CYCLONEDDS_URI) it is the base, over which the
-/// options that differ from their defaults are laid.
+/// forgotten after 12 s, an announcement repeated every second. With `base` (the text of
+/// CYCLONEDDS_URI) it is the base, over which the options that differ from their defaults are laid.
 std::string domain_config(const ParticipantOptions& options,
                           const std::optional<std::string>& base);
 

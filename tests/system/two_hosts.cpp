@@ -100,9 +100,9 @@ ChildProcess TwoHosts::start_script(const Host& host, const std::string& script,
   return {host.enter + own_processes + Arguments{"/bin/sh", "-c", in_the_tree}, output};
 }
 
-void TwoHosts::pull_the_cable() { must(first_, {"link", "set", kInterface, "down"}); }
+void TwoHosts::pull_out(const Host& host) { must(host, {"link", "set", kInterface, "down"}); }
 
-void TwoHosts::plug_the_cable_in() { must(first_, {"link", "set", kInterface, "up"}); }
+void TwoHosts::plug_in(const Host& host) { must(host, {"link", "set", kInterface, "up"}); }
 
 void TwoHosts::must(const Host& host, const Arguments& ip) {
   const auto result = run_on(host, Arguments{"/sbin/ip"} + ip);

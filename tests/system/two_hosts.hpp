@@ -32,8 +32,9 @@ class TwoHosts {
   static ChildProcess start_script(const Host& host, const std::string& script,
                                    const std::filesystem::path& output);
 
-  void pull_the_cable();
-  void plug_the_cable_in();
+  /// Pulls the cable out of a host, whose interface is down then; the other's has no carrier.
+  static void pull_out(const Host& host);
+  static void plug_in(const Host& host);
 
  private:
   [[nodiscard]] ChildProcess start_host(const Arguments& command, const std::string& name,

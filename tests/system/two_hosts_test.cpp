@@ -40,6 +40,12 @@ class TwoHostStack : public testing::Test {
     EXPECT_EQ(result.exit_code, 0) << result.out << result.err;
   }
 
+  /// Until somebody on the host has joined domain 0 and announced himself.
+  static void await_discovery_socket(const Host& host) {
+    const Arguments look = {"/bin/grep", "-q", ":1CE8 ", "/proc/net/udp"};  // port 7400
+    EXPECT_TRUE(eventually([&] { return TwoHosts::run_on(host, look).exit_code == 0; }));
+  }
+
   TemporaryDirectory directory_;
 };
 
@@ -50,17 +56,34 @@ TEST_F(TwoHostStack, NeedsNoMulticastWhenItIsToldItsPeers) {
 }
 
 TEST_F(TwoHostStack, GoesOnAfterTheCableWasOutForAMoment) {
-  TwoHosts hosts(TwoHosts::Multicast::kOn);
+  const TwoHosts hosts(TwoHosts::Multicast::kOn);
   Stack stack(directory_ / "stack", spread_over(hosts));
   auto experiment = stack.conduct(main_trial());
   ASSERT_TRUE(eventually([&] { return experiment.out().find("climb") != std::string::npos; }))
       << experiment.output() << stack.errors();
-  hosts.pull_the_cable();
+  TwoHosts::pull_out(hosts.first());
   EXPECT_FALSE(eventually([&] { return !experiment.running(); }, std::chrono::milliseconds(400)));
-  hosts.plug_the_cable_in();
+  TwoHosts::plug_in(hosts.first());
   ASSERT_EQ(experiment.wait(kTrialLimit), 0) << experiment.output() << stack.errors();
   EXPECT_TRUE(stack.stop()) << stack.errors();
   expect_as_in_one_process(stack.log());
+}
+
+/// One lost datagram must not keep a restarted service out of a running trial.
+TEST_F(TwoHostStack, FindsOutSoonWhoWasNotHeardAtFirst) {
+  const TwoHosts hosts(TwoHosts::Multicast::kOn);
+  TwoHosts::pull_out(hosts.second());
+  const auto plant = start({"plant", "", directory_.path(), 0, {}, "beetle", hosts.first()});
+  await_discovery_socket(hosts.first());
+  TwoHosts::plug_in(hosts.second());
+  TwoHosts::pull_out(hosts.first());
+  auto wait = command_on(hosts.second(), "scarab-status");
+  wait.insert(wait.end(), {"--wait", "plant=1", "--timeout", "20"});
+  ChildProcess waiting(wait, directory_ / "waiting");
+  await_discovery_socket(hosts.second());
+  EXPECT_TRUE(waiting.running()) << waiting.output();
+  TwoHosts::plug_in(hosts.first());
+  EXPECT_EQ(waiting.wait(std::chrono::seconds(4)), 0) << waiting.output() << plant.err();
 }
 
 /// A tool that knows nothing of the stack's options, configured by the shipped file alone.

@@ -14,6 +14,7 @@ TEST(DomainConfig, BuiltInIsLoopbackWithRoomForManyParticipants) {
   EXPECT_THAT(config, HasSubstr("NetworkInterface name=\"lo\""));
   EXPECT_THAT(config, HasSubstr("<MaxAutoParticipantIndex>63<"));
   EXPECT_THAT(config, HasSubstr("<LeaseDuration>12s<"));
+  EXPECT_THAT(config, HasSubstr("<SPDPInterval>1s<"));
   EXPECT_THAT(config, Not(HasSubstr("<Tag>")));
 }
 
