@@ -3,11 +3,10 @@
 import argparse
 from typing import Callable, List, NoReturn
 
-from .failure import EXIT_OK, Failure
-from .foreground import run_in_front
+from .failure import EXIT_FAILURE, EXIT_OK, Failure
 from .places import Places
 from .running_stack import RunningStack, choose_stack, running_stacks
-from .signals import Signals
+from .spawn import spawn
 from .stack_options import bounded_integer
 from .strategies import strategies_of_running
 from .tool_verbs import become, bus_of
@@ -39,12 +38,11 @@ def add_verbs(verbs: Verbs) -> None:
 
 def emergency_stop(options: argparse.Namespace, places: Places) -> int:
     """To all stacks that could be meant: nobody should have to think first."""
-    signals = Signals()
     stacks = [s for s in running_stacks(places.runs) if options.domain in (None, s.bus.domain)]
     if not stacks:
         raise Failure(_no_stack(options))
-    codes = [run_in_front(_command("estop", stack, options, places), signals) for stack in stacks]
-    return max(codes, default=EXIT_OK)
+    told = [spawn(_command("estop", stack, options, places)) for stack in stacks]  # all at once
+    return EXIT_OK if all([process.wait() == 0 for process in told]) else EXIT_FAILURE
 
 
 def _bus_and_strategies(stack: RunningStack) -> List[str]:

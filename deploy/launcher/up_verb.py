@@ -67,9 +67,11 @@ def _elsewhere(launched: Launched, places: Places) -> str:
     if asked.returncode == 0:
         return f"elsewhere: {expected}, all there"
     answer = asked.stderr.strip().splitlines() or ["nobody answers"]
+    what_to_do = (f"start them on their host, on DDS domain {bus.domain}; trials begin when all are there"
+                  if bus.interface != "lo" else
+                  "lo reaches no other host: choose the interface they share with --interface NAME")
     return (f"elsewhere: {expected}; not yet: {answer[-1].removeprefix('scarab-status: ')}\n"
-            f"           start them on their host, on DDS domain {bus.domain}; trials begin when "
-            "all are there")
+            f"           {what_to_do}")
 
 
 def down(options: argparse.Namespace, places: Places) -> int:

@@ -118,6 +118,8 @@ def experiment():
 def tool():
     """Ends as it is told to; one told to hold ends as all tools do when they are interrupted."""
     (FOLDER / f"{NAME}.command").write_text("\n".join(sys.argv[1:]))
+    with open(FOLDER / f"{NAME}.domains", "a") as file:
+        print(value_of("--domain"), file=file)
     stopped = []
     signal.signal(signal.SIGINT, lambda *_: stopped.append(1))
     if order("hold"):

@@ -159,6 +159,7 @@ class TwoHosts(FakeStackTest):
         self.assertEqual(len(self.living()), 1)
         self.assertIn("plant=1\n", out)
         self.assertIn("elsewhere: logger=1,premotor=1; not yet: logger, premotor is missing", out)
+        self.assertIn("lo reaches no other host", out)
         command = self.command_of("scarab-plant")
         self.assertEqual(command["--expect"], "plant=1,logger=1,premotor=1")
         self.assertEqual(command["--peers"], "10.0.0.1,10.0.0.2")

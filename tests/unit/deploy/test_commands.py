@@ -25,7 +25,7 @@ def exit_codes():
 
 
 class Commands(FakeStackTest):
-    domain = 160
+    domain = 168
 
     def setUp(self):
         super().setUp()
