@@ -173,9 +173,13 @@ int drive(const DriveOptions& options) {
   std::setlocale(LC_CTYPE, "");  // NOLINT(concurrency-mt-unsafe): no other thread yet
   Stack stack(options.bus);
   Driver driver(options, stack);
-  const bool quit = run(driver, stack);
-  say_goodbye(stack);
-  return quit ? runtime::kExitSuccess : runtime::kExitInterrupted;
+  try {
+    const bool quit = run(driver, stack);
+    say_goodbye(stack);
+    return quit ? runtime::kExitSuccess : runtime::kExitInterrupted;
+  } catch (const UnknownTerminal& unknown) {
+    return refuse(unknown.what());
+  }
 }
 
 }  // namespace scarab::drive

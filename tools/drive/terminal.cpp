@@ -67,8 +67,8 @@ Terminal::Terminal() : screen_(std::make_unique<Screen>()) {
   screen_->handle = ::newterm(nullptr, stdout, stdin);
   if (screen_->handle == nullptr) {
     const char* name = std::getenv("TERM");  // NOLINT(concurrency-mt-unsafe): nobody sets it
-    throw std::runtime_error("the terminal type '" + std::string(name != nullptr ? name : "") +
-                             "' (TERM) is not known here; try TERM=xterm");
+    throw UnknownTerminal("the terminal type '" + std::string(name != nullptr ? name : "") +
+                          "' (TERM) is not known here; try TERM=xterm");
   }
   set_escdelay(25);  // ms; Escape alone is a key
   cbreak();

@@ -2,6 +2,7 @@
 
 #include <memory>
 #include <optional>
+#include <stdexcept>
 #include <vector>
 
 #include "tools/drive/view.hpp"
@@ -14,12 +15,17 @@ bool has_terminal();
 /// The terminal's size; nothing without a terminal.
 std::optional<Size> terminal_size();
 
+/// TERM names a kind of terminal that nobody has described here.
+class UnknownTerminal : public std::runtime_error {
+  using std::runtime_error::runtime_error;
+};
+
 /// The whole terminal, taken over with ncurses; the destructor gives it back as it was, whatever
 /// ends the program but SIGKILL. Only one at a time. Text is in the characters of the locale
 /// (LC_CTYPE).
 class Terminal {
  public:
-  /// Throws std::runtime_error for a terminal that ncurses does not know (TERM).
+  /// Throws UnknownTerminal for a terminal that ncurses does not know (TERM).
   Terminal();
   Terminal(const Terminal&) = delete;
   Terminal& operator=(const Terminal&) = delete;

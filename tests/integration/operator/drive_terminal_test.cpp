@@ -89,7 +89,7 @@ TEST(DriveTerminal, UnknownTypeIsRefused) {
   auto start = drive();
   start.type = "nonsense";
   PseudoTerminal terminal(start);
-  EXPECT_EQ(terminal.wait(), 1);
+  EXPECT_EQ(terminal.wait(), 2);
   EXPECT_THAT(terminal.output(), HasSubstr("the terminal type 'nonsense' (TERM) is not known"));
   EXPECT_TRUE(terminal.is_as_it_was());
 }
