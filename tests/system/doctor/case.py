@@ -17,6 +17,7 @@ TEST_PROGRAMS = Path(os.environ.get("SCARAB_TEST_PROGRAMS") or BIN.parent / "tes
 PATIENCE_S = 30.0
 DOMAIN = 4
 _INSIDE = "SCARAB_TEST_INSIDE"
+_FAR_AWAY = "/usr/bin"  # paths in sentences are relative where that is shorter
 
 sys.path.insert(0, str(SOURCE_ROOT / "deploy"))
 
@@ -75,7 +76,7 @@ class DoctorCase(unittest.TestCase):
         """The finished launcher; `before` are words in front of the command line."""
         return subprocess.run([*before, *self.command(verb, *words)], capture_output=True, text=True,
                               stdin=subprocess.DEVNULL, timeout=PATIENCE_S, env=self.environment,
-                              check=False)
+                              cwd=_FAR_AWAY, check=False)
 
     def doctor(self, *words, before=()):
         """The findings: [(check, level, what, advice)]."""
