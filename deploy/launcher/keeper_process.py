@@ -6,6 +6,7 @@ import signal
 import sys
 import time
 import traceback
+from contextlib import suppress
 from pathlib import Path
 from typing import Callable, Iterator, List, Optional
 
@@ -122,13 +123,12 @@ def _reporter(write_end: int, events: Path) -> Report:
     def report(event: Event) -> None:
         now = time.strftime("%Y-%m-%d %H:%M:%S")
         rest = " ".join(f"{key}={value}" for key, value in event.items() if key != "event")
-        print(f"[{now}] {event['event']} {rest}", file=sys.stderr, flush=True)
         line = json.dumps(event).encode() + b"\n"
-        with open(events, "ab", buffering=0) as file:
-            file.write(line)
-        try:
+        with suppress(OSError):  # the disk may be full
+            print(f"[{now}] {event['event']} {rest}", file=sys.stderr, flush=True)
+            with open(events, "ab", buffering=0) as file:
+                file.write(line)
+        with suppress(OSError):  # nobody listens any more, as after `up`
             os.write(write_end, line)
-        except OSError:
-            pass  # nobody listens any more, as after `up`; the files have it
 
     return report

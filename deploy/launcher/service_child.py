@@ -3,8 +3,9 @@
 import signal
 import subprocess
 import time
+from contextlib import suppress
 from pathlib import Path
-from typing import List, Optional, Sequence
+from typing import Callable, List, Optional, Sequence
 
 from .back_off import BackOff
 from .crash_record import CrashRecord
@@ -35,7 +36,8 @@ class ServiceChild:
         self.restart_due = None
         identity = ProcessIdentity.of(self._popen.pid)
         if identity:
-            write_json(self._pid_file, {**identity.to_json(), "restarts": self.back_off.restarts})
+            record = {**identity.to_json(), "restarts": self.back_off.restarts}
+            _if_possible(lambda: write_json(self._pid_file, record))
 
     def alive(self) -> bool:
         return self._popen is not None and self._popen.poll() is None
@@ -70,8 +72,9 @@ class ServiceChild:
         return time.monotonic() - self._started
 
     def _record(self, last_end: str) -> None:
-        CrashRecord(self.back_off.restarts, self.back_off.in_a_row, self.back_off.looping,
-                    last_end).write(self._directory, self.name)
+        record = CrashRecord(self.back_off.restarts, self.back_off.in_a_row,
+                             self.back_off.looping, last_end)
+        _if_possible(lambda: record.write(self._directory, self.name))
 
     def signal(self, number: int) -> None:
         if self._popen is not None:
@@ -79,6 +82,12 @@ class ServiceChild:
 
     def last_log_lines(self, count: int = 10) -> List[str]:
         return last_lines(self._log_file, count)
+
+
+def _if_possible(write: Callable[[], None]) -> None:
+    """A full disk costs a record, but neither the stack nor the service."""
+    with suppress(OSError):
+        write()
 
 
 def last_lines(file: Path, count: int) -> List[str]:

@@ -1,5 +1,6 @@
 """--replicas, --robot, --config, --interface, --realtime, --lockstep: what the services are started with."""
 
+import tempfile
 import unittest
 from pathlib import Path
 
@@ -131,9 +132,8 @@ class Robots(unittest.TestCase):
 
     def test_robot_without_a_file_for_a_service_is_named(self):
         text = SHIPPED.read_text().replace("config/premotor/{robot}", "config/premotor/no-{robot}")
-        with self.subTest():
-            file = Path("/tmp") / f"scarab-stack-{id(self)}.yaml"
-            self.addCleanup(file.unlink)
+        with tempfile.TemporaryDirectory() as folder:
+            file = Path(folder) / "stack.yaml"
             file.write_text(text)
             with self.assertRaisesRegex(UsageError, "has no config/premotor/no-beetle.yaml, which "
                                                     "service premotor reads"):

@@ -107,6 +107,18 @@ class Restart(FakeStackTest):
         wait_until(lambda: not self.crashes_of("premotor").looping, "the crashes are forgotten")
         self.assertEqual(self.crashes_of("premotor").restarts, LOOP_AFTER)
 
+    def test_stack_outlives_a_disk_that_takes_no_more(self):
+        self.up()
+        pid = self.pid_of("premotor")
+        (self.stack_directory / "logs" / "events.jsonl").unlink()
+        for name in ("logs/events.jsonl", "pids/premotor.json.new", "pids/premotor.crashes.new"):
+            (self.stack_directory / name).mkdir()  # what is written there fails from here on
+        os.kill(pid, signal.SIGKILL)
+        starts = [("start", "scarab-premotor")] * 2
+        wait_until(lambda: [j for j in self.journal() if j == starts[0]] == starts,
+                   "it is restarted")
+        self.assertEqual(len(self.living()), 3)
+
     def test_program_that_is_gone_is_tried_again_until_it_is_back(self):
         self.up()
         program, aside = self.bin / "scarab-premotor", self.bin / "aside"
