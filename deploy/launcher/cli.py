@@ -32,6 +32,10 @@ def main(words: Sequence[str]) -> int:
     except BrokenPipeError:  # such as `scarab logs | head`
         sys.stderr.close()
         return EXIT_FAILURE
+    except OSError as error:  # such as a disk that is full
+        print(f"scarab: {error.strerror}: {error.filename}" if error.filename else f"scarab: {error}",
+              file=sys.stderr)
+        return EXIT_FAILURE
 
 
 def all_verbs() -> Verbs:

@@ -29,8 +29,12 @@ def mend_log(places: Places, directory: RunDirectory, signals: Signals) -> None:
 def figure_of(places: Places, directory: RunDirectory, stack_directory: RunDirectory,
               signals: Signals) -> None:
     """Fig. 7 of the first trial. The trials are no failure where it cannot be drawn."""
+    log = _log_of(stack_directory)
+    if not log.exists():
+        print("scarab: no figure: the log is where the logger runs", file=sys.stderr)
+        return
     try:
-        draw_figure(places, _log_of(stack_directory), first_trial(directory.results),
+        draw_figure(places, log, first_trial(directory.results),
                     directory.path / "figure7", signals)
     except Interrupted:
         raise

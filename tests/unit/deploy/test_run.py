@@ -72,6 +72,14 @@ class Run(FakeStackTest):
         self.assertEqual(code, 1)
         self.assertIn("scarab-plant is not built", err)
 
+    def test_place_that_cannot_be_written_is_one_line(self):
+        self.runs.mkdir()
+        (self.runs / ".stacks").write_text("")
+        (self.runs / "latest").mkdir()
+        code, _, err = self.scarab("run")
+        self.assertEqual(code, 1)
+        self.assertEqual(len(err.splitlines()), 1, err)
+
     def test_service_that_dies_at_the_start_shows_its_log(self):
         self.order("scarab-premotor", "die-at-start")
         code, _, err = self.scarab("run")
