@@ -14,9 +14,10 @@ from .survey import who
 def missed(subject: Subject, bus: Bus) -> List[Finding]:
     """Looked for on other domains of the network. Empty where everybody is there."""
     expected = next((s.expected for s in subject.running if s.bus == bus and s.ready), "")
-    there = {p["service"] for p in subject.seen(bus).participants}
-    names = ["%s/%d" % ProcessView(name).service for name in expected_processes(expected)]
-    absent = [name for name in names if name not in there]
+    absent = ["%s/%d" % ProcessView(name).service for name in expected_processes(expected)]
+    for look in (subject.seen, subject.seen_for_long):
+        there = {p["service"] for p in look(bus).participants} if absent else ()
+        absent = [name for name in absent if name not in there]
     if not absent or subject.seen(bus).fault:
         return []
     elsewhere = _found(subject, bus, absent)

@@ -1,6 +1,6 @@
 """Two sides that do not meet: on different domains, different interfaces, or apart by a tag."""
 
-from typing import List, Optional
+from typing import List, Optional, Sequence, Set
 
 from ..stack import Bus
 from .finding import Finding, note, ok, problem
@@ -57,15 +57,20 @@ def _on_another_domain(subject: Subject, bus: Bus, process: DdsProcess) -> Optio
 
 
 def _apart_by_tag(subject: Subject, bus: Bus, process: DdsProcess) -> Optional[Finding]:
-    seen = subject.seen(bus)
-    known = {p["pid"] for p in seen.participants if p["host"] in ("", subject.host)}
-    if seen.fault or not known or process.program.pid in {0, *known}:
+    if process.program.pid == 0 or not subject.seen(bus).participants:
+        return None  # another user's, or nothing can be seen at all
+    if any(process.program.pid in _pids_here(subject, look(bus).participants)
+           for look in (subject.seen, subject.seen_for_long)):
         return None
     tag = f"'{bus.tag}'" if bus.tag else "none"
     return note(f"{process.program} is on DDS domain {bus.domain} and interface {bus.interface}, "
                 "but does not answer: it has another discovery tag, or a configuration of its own",
                 f"If it belongs to the stack, give it the stack's tag ({tag}) and see its "
                 "CYCLONEDDS_URI.")
+
+
+def _pids_here(subject: Subject, participants: Sequence[dict]) -> Set[int]:
+    return {p["pid"] for p in participants if p["host"] in ("", subject.host)}
 
 
 def _other_hosts(subject: Subject, bus: Bus) -> List[Finding]:

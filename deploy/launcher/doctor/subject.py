@@ -17,6 +17,7 @@ from .survey import Seen, reports, survey
 
 _UNTOLD_DOMAIN = 0  # the one that `up` takes
 _MOST_INTERFACES = 8
+_EVERYBODY = 1000  # participants; more than there are, so that the look takes all its time
 _SEARCHED = range(0, 20)  # the domains that people choose
 
 
@@ -28,6 +29,7 @@ class Subject:
         self.options = options
         self.places = places
         self.host = socket.gethostname()
+        self._long_looks: Dict[Bus, Seen] = {}
         self.stack: Optional[Stack] = None
         self.stack_fault: Optional[ConfigError] = None
         try:
@@ -57,6 +59,14 @@ class Subject:
     def seen(self, bus: Bus) -> Seen:
         """What a participant sees that takes the place `bus`."""
         return self._surveys.get(bus) or Seen(bus)
+
+    def seen_for_long(self, bus: Bus) -> Seen:
+        """As seen(), but the look was not ended early by somebody who had not been counted on."""
+        if len(self.seen(bus).participants) < self._participants_on(bus):
+            return self.seen(bus)
+        if bus not in self._long_looks:
+            self._long_looks.update(survey(self.places, {bus: _EVERYBODY}, [bus]))
+        return self._long_looks[bus]
 
     @functools.cached_property
     def reports(self) -> List[dict]:

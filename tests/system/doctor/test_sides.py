@@ -11,7 +11,7 @@ class Sides(StackCase):
 
     def test_everybody_is_there(self):
         self.odd_endpoint(*TOPIC)
-        self.assertEqual([f[1] for f in self.doctor("sides", "endpoints", "domain")], ["ok"] * 3)
+        self.assertEqual([f for f in self.doctor("sides", "endpoints", "domain") if f[1] != "ok"], [])
 
     def test_topics_of_the_stack_on_another_domain(self):
         self.odd_endpoint(*TOPIC, domain=9)
