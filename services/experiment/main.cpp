@@ -10,6 +10,12 @@ using namespace scarab;
 int main(int argc, char** argv) {
   CLI::App app{"Runs trials on the stack that is up and reports the referee's verdicts.",
                "scarab-experiment"};
+  app.footer(
+      "Example (deploy/scarab run does this, with a stack):\n"
+      "  scarab-experiment --expect plant=1,supervisor=1,premotor=1,logger=1 --trials 3\n"
+      "Exit codes: 0 every trial succeeded, 1 one failed or the stack is not ready, 2 bad usage, "
+      "130 "
+      "interrupted.");
   experiment::ExperimentOptions options;
   runtime::add_bus_options(app, options.bus);
   runtime::add_expect_option(app, options.expect);

@@ -15,10 +15,15 @@ using namespace scarab;
 int main(int argc, char** argv) {
   CLI::App app{"The simulated robot and its world: joint commands in, robot state out.",
                "scarab-plant"};
+  app.footer(
+      "Example (deploy/scarab up does this, with the others):\n"
+      "  scarab-plant --robot config/robot/beetle.yaml --config config/plant/beetle.yaml\n"
+      "Exit codes: 0 stopped by a signal, 1 it cannot run, 2 bad usage or configuration.");
   runtime::ServiceOptions options;
   std::string robot_file;
   std::string pace = "lockstep";
   runtime::add_service_options(app, options);
+  app.get_option("--config")->required();
   app.add_option("--robot", robot_file, "robot description (YAML)")->required();
   app.add_option("--pace", pace, "lockstep (as fast as it goes) or realtime (by the wall clock)")
       ->check(CLI::IsMember({"lockstep", "realtime"}))

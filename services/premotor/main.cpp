@@ -14,9 +14,14 @@ using namespace scarab;
 int main(int argc, char** argv) {
   CLI::App app{"The neural premotor controller: behaviour in, joint commands out.",
                "scarab-premotor"};
+  app.footer(
+      "Example (deploy/scarab up does this, with the others):\n"
+      "  scarab-premotor --robot config/robot/beetle.yaml --config config/premotor/beetle.yaml\n"
+      "Exit codes: 0 stopped by a signal, 1 it cannot run, 2 bad usage or configuration.");
   runtime::ServiceOptions options;
   std::string robot_file;
   runtime::add_service_options(app, options);
+  app.get_option("--config")->required();
   app.add_option("--robot", robot_file, "robot description (YAML)")->required();
 
   return runtime::run_program(app, argc, argv, [&] {

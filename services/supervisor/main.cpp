@@ -12,8 +12,13 @@ using namespace scarab;
 
 int main(int argc, char** argv) {
   CLI::App app{"The behaviour supervisor: robot state in, behaviour out.", "scarab-supervisor"};
+  app.footer(
+      "Example (deploy/scarab up does this, with the others):\n"
+      "  scarab-supervisor --config config/supervisor/beetle.yaml\n"
+      "Exit codes: 0 stopped by a signal, 1 it cannot run, 2 bad usage or configuration.");
   runtime::ServiceOptions options;
   runtime::add_service_options(app, options);
+  app.get_option("--config")->required();
 
   return runtime::run_program(app, argc, argv, [&] {
     const auto supervisor = supervisor::load_config(options.config);

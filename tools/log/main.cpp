@@ -8,6 +8,12 @@ using namespace scarab;
 int main(int argc, char** argv) {
   CLI::App app{"Looks into recorded logs (MCAP).", "scarab-log"};
   app.require_subcommand(1);
+  app.footer(
+      "Examples:\n"
+      "  scarab-log info runs/latest/trial.mcap\n"
+      "  scarab-log csv runs/latest/trial.mcap --topic scarab/behaviour > behaviour.csv\n"
+      "Exit codes: 0 done; 1 not a log, or compare found a difference; 2 bad usage or no such "
+      "file.");
   log::Command command;
   log::add_info(app, command);
   log::add_csv(app, command);

@@ -11,6 +11,12 @@ using namespace scarab;
 
 int main(int argc, char** argv) {
   CLI::App app{"Runs trials with the cores of all services in one process.", "scarab-sim"};
+  app.footer(
+      "Example (deploy/scarab sim fills in the files):\n"
+      "  scarab-sim --robot config/robot/beetle.yaml --plant config/plant/beetle.yaml \\\n"
+      "    --premotor config/premotor/beetle.yaml --supervisor config/supervisor/beetle.yaml\n"
+      "Exit codes: 0 every trial succeeded, 1 one failed, 2 bad usage or configuration, 130 "
+      "interrupted.");
   sim::SimOptions options;
   std::string robot, plant, premotor, supervisor;
   runtime::add_trial_options(app, options.trials);
