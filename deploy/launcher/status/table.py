@@ -93,11 +93,14 @@ def _paint_of(text: str, heading: str) -> Optional[str]:
 
 def _section(title: str, texts: Sequence[str], colour: Optional[Colour] = None,
              paint: str = "") -> List[str]:
+    """The title in front of the first text, the others below it."""
     if not texts:
         return []
-    head = f"{title}:"
-    return ["", *((colour.paint(f"{head:9}", paint) if colour and i == 0 else f"{head if i == 0 else '':9}")
-                  + text for i, text in enumerate(texts))]
+    head = f"{title + ':':9}"
+    if colour:
+        head = colour.paint(head, paint)
+    first, *others = texts
+    return ["", head + first, *(" " * 9 + text for text in others)]
 
 
 def _refused(picture: Picture) -> List[str]:

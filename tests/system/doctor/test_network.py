@@ -61,7 +61,8 @@ class Network(DoctorCase):
         self.stack_file = self.folder / "stack.yaml"
         self.stack_file.write_text(text.replace("peers: []", "peers: [10.9.9.9]"))
         what, advice = self.fault()
-        self.assertEqual(what, "the peer '10.9.9.9' cannot be reached from this host: Network is unreachable")
+        self.assertEqual(what, "the peer '10.9.9.9' cannot be reached from this host: Network is "
+                               "unreachable")
         self.assertIn("bus.peers", advice)
 
     def test_peers_make_up_for_multicast(self):
