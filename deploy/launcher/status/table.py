@@ -66,8 +66,9 @@ def _row_elsewhere(service: dict) -> Row:
 
 
 def _report(service: dict) -> Row:
+    rate = f"{service['ticks_per_s']:.1f}" if service["lifecycle"] == "active" else "-"
     return (service["lifecycle"], service["health"], str(service["trial"] or "-"),
-            str(service["tick"]) if service["trial"] else "-", f"{service['ticks_per_s']:.1f}")
+            str(service["tick"]) if service["trial"] else "-", rate)
 
 
 def _aligned(headings: Row, rows: Iterable[Row], colour: Colour) -> List[str]:

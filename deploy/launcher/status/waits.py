@@ -5,7 +5,7 @@ from typing import Dict, Iterable, List, Sequence
 
 
 def waits(services: Sequence[dict], expected: Iterable[str]) -> List[str]:
-    """`plant/0 waits for supervisor/0, which waits for premotor/0, which does not run`.
+    """`plant/0 waits for supervisor/0, which waits for premotor/0, which says nothing`.
 
     `services` as scarab-status has them; `expected` the names (plant, premotor) of all there should be.
     """
@@ -53,7 +53,7 @@ def _states(names: List[str], waiting: Dict[str, dict], by_name: Dict[str, dict]
     for name in names:
         which = "which" if len(names) == 1 else name
         if name not in by_name:
-            text += f", {which} is not there"
+            text += f", {which} says nothing"
         elif by_name[name]["health"] == "fault":
             text += f", {which} has a fault: {by_name[name]['message']}"
         elif name in waiting and len(names) > 1:

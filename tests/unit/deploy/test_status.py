@@ -47,7 +47,7 @@ class Waits(unittest.TestCase):
         self.assertEqual(
             self.sentences(report("plant", "waiting", "supervisor has not answered tick 4"),
                            report("supervisor", "waiting", "waits for premotor/0 to read scarab/behaviour")),
-            ["plant/0 waits for supervisor/0, which waits for premotor/0, which is not there"])
+            ["plant/0 waits for supervisor/0, which waits for premotor/0, which says nothing"])
 
     def test_fault_at_the_end_of_the_chain_is_told(self):
         self.assertEqual(
@@ -60,8 +60,8 @@ class Waits(unittest.TestCase):
             self.sentences(report("plant", "waiting", "waits for premotor/0 to write "
                                   "scarab/joint_command, premotor/1 to be ready and logger/0 to be ready"),
                            report("logger")),
-            ["plant/0 waits for premotor/0, premotor/1 and logger/0, premotor/0 is not there, "
-             "premotor/1 is not there"])
+            ["plant/0 waits for premotor/0, premotor/1 and logger/0, premotor/0 says nothing, "
+             "premotor/1 says nothing"])
 
     def test_two_that_wait_for_each_other(self):
         self.assertEqual(
@@ -77,7 +77,7 @@ class Waits(unittest.TestCase):
         self.assertEqual(
             waits([report("plant", "waiting", "waits for premotor/0 to read scarab/trial")],
                   (*EXPECTED, "trial", "scarab")),
-            ["plant/0 waits for premotor/0, which is not there"])
+            ["plant/0 waits for premotor/0, which says nothing"])
 
 
 class Texts(unittest.TestCase):
