@@ -14,6 +14,7 @@ from .service_child import ServiceChild, how_it_ended
 from .signals import Signals
 from .spawn import spawn
 from .stack import ServiceProcess, Stack
+from .trial_lock import series_that_runs
 
 Command = List[str]
 Report = Callable[[Dict[str, object]], None]
@@ -106,10 +107,11 @@ class Keeper:
         if not restart_allowed(rule, code):
             self._report({"event": "lost", "service": child.name, "text": how})
             return
+        child.ended_in = series_that_runs(self._directory.trial_lock)
         wait_s = child.plan_restart(how)
         self._report({"event": "crashed", "service": child.name, "text": how,
                       "restart": child.back_off.restarts, "wait_s": wait_s,
-                      "waits": must_wait(rule, self._directory.trial_lock)})
+                      "waits": self._must_wait(child)})
         if child.back_off.in_a_row == LOOP_AFTER:
             self._report({"event": "looping", "service": child.name, "crashes": LOOP_AFTER})
 
@@ -125,7 +127,10 @@ class Keeper:
 
     def _may_restart_now(self, child: ServiceChild) -> bool:
         return (time.monotonic() >= child.restart_due
-                and not must_wait(child.process.service.restart, self._directory.trial_lock))
+                and not self._must_wait(child))
+
+    def _must_wait(self, child: ServiceChild) -> bool:
+        return must_wait(child.process.service.restart, self._directory.trial_lock, child.ended_in)
 
     def _time_to_next_change(self) -> Optional[float]:
         """Until the next restart, or until the next crashes are forgotten; None: no time is known."""

@@ -4,7 +4,7 @@ from pathlib import Path
 
 from .failure import EXIT_USAGE
 from .stack import Restart
-from .trial_lock import trial_is_running
+from .trial_lock import series_that_runs
 
 
 def restart_allowed(rule: Restart, code: int) -> bool:
@@ -12,6 +12,9 @@ def restart_allowed(rule: Restart, code: int) -> bool:
     return rule is not Restart.NEVER and code != EXIT_USAGE
 
 
-def must_wait(rule: Restart, trial_lock: Path) -> bool:
-    """Whether the restart has to wait for the end of the trials that run on the stack."""
-    return rule is Restart.BETWEEN_TRIALS and trial_is_running(trial_lock)
+def must_wait(rule: Restart, trial_lock: Path, series: str) -> bool:
+    """Whether the restart has to wait for the end of the series of trials in which the service ended.
+
+    Not for a later one: that has not begun a trial yet, since it waits for this service.
+    """
+    return rule is Restart.BETWEEN_TRIALS and series != "" and series == series_that_runs(trial_lock)

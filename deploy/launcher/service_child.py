@@ -22,6 +22,7 @@ class ServiceChild:
         self.process = process
         self.name = process.name
         self.restart_due: Optional[float] = None  # time.monotonic() of a planned restart
+        self.ended_in = ""  # the series of trials that ran when it ended; empty: none
         self.back_off = BackOff(times)
         self._directory = directory
         self._log_file = directory.log_of(self.name)

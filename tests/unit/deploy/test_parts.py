@@ -1,7 +1,9 @@
 """The launcher's smaller parts: back-off, run directories, domain claims, trial locks."""
 
+import fcntl
 import os
 import tempfile
+import threading
 import unittest
 from concurrent.futures import ThreadPoolExecutor
 from pathlib import Path
@@ -13,7 +15,7 @@ from launcher.failure import Failure
 from launcher.restart_rule import must_wait, restart_allowed
 from launcher.run_directory import create_run_directory, run_directories
 from launcher.stack import BackOffTimes, Restart
-from launcher.trial_lock import TrialLock, trial_is_running
+from launcher.trial_lock import TrialLock, series_that_runs
 
 
 class BackOffTest(unittest.TestCase):
@@ -89,17 +91,45 @@ class DomainClaimTest(unittest.TestCase):
 
 
 class RestartRule(unittest.TestCase):
-    def test_plant_waits_for_the_end_of_the_trials(self):
+    def test_plant_waits_for_the_end_of_the_trials_it_ended_in(self):
         with tempfile.TemporaryDirectory() as folder:
             file = Path(folder) / "trial.lock"
-            self.assertFalse(must_wait(Restart.BETWEEN_TRIALS, file))
+            self.assertEqual(series_that_runs(file), "")
             lock = TrialLock.try_take(file)
-            self.assertTrue(trial_is_running(file))
-            self.assertIsNone(TrialLock.try_take(file))
-            self.assertTrue(must_wait(Restart.BETWEEN_TRIALS, file))
-            self.assertFalse(must_wait(Restart.ALWAYS, file))
+            first = series_that_runs(file)
+            self.assertNotEqual(first, "")
+            self.assertTrue(must_wait(Restart.BETWEEN_TRIALS, file, first))
+            self.assertFalse(must_wait(Restart.ALWAYS, file, first))
             lock.release()
-            self.assertFalse(must_wait(Restart.BETWEEN_TRIALS, file))
+            self.assertEqual(series_that_runs(file), "")
+            self.assertFalse(must_wait(Restart.BETWEEN_TRIALS, file, first))
+
+    def test_plant_does_not_wait_for_trials_that_wait_for_it(self):
+        with tempfile.TemporaryDirectory() as folder:
+            file = Path(folder) / "trial.lock"
+            TrialLock.try_take(file).release()
+            self.assertFalse(must_wait(Restart.BETWEEN_TRIALS, file, ""))  # it ended between two
+            first = TrialLock.try_take(file)
+            ended_in = series_that_runs(file)
+            first.release()
+            second = TrialLock.try_take(file)
+            self.assertNotEqual(series_that_runs(file), ended_in)
+            self.assertFalse(must_wait(Restart.BETWEEN_TRIALS, file, ended_in))
+            self.assertFalse(must_wait(Restart.BETWEEN_TRIALS, file, ""))
+            second.release()
+
+    def test_only_one_series_runs_and_a_look_turns_nobody_away(self):
+        with tempfile.TemporaryDirectory() as folder:
+            file = Path(folder) / "trial.lock"
+            lock = TrialLock.try_take(file)
+            self.assertIsNone(TrialLock.try_take(file))
+            lock.release()
+            with open(file) as looking:
+                fcntl.flock(looking, fcntl.LOCK_SH)
+                threading.Timer(0.05, lambda: fcntl.flock(looking, fcntl.LOCK_UN)).start()
+                lock = TrialLock.try_take(file)
+            self.assertIsNotNone(lock)
+            lock.release()
 
     def test_bad_configuration_is_not_tried_again(self):
         self.assertFalse(restart_allowed(Restart.ALWAYS, 2))
