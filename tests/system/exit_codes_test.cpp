@@ -135,8 +135,14 @@ void ExitCodes::tools() {
   expect(1, "scarab-operator", {"pause", "--tag", test_tag()});
   expect(2, "scarab-operator", {"--no-such-option"});
   expect_at_signal(130, "scarab-operator", {"pause", "--tag", test_tag()}, SIGINT);
+  expect(0, "scarab-doctor", {"--timeout", "0.2", "--tag", test_tag()});
+  expect(1, "scarab-doctor", {"--interface", "no-such"});
+  expect(2, "scarab-doctor", {"--no-such-option"});
+  expect_at_signal(130, "scarab-doctor", {"--timeout", "60", "--tag", test_tag()}, SIGINT);
   expect(1, "scarab-status", bus_);
   expect(2, "scarab-status", {"--wait", "nonsense"});
+  expect_at_signal(130, "scarab-status",
+                   {"--wait", "plant=1", "--timeout", "60", "--tag", test_tag()}, SIGINT);
 }
 
 void ExitCodes::trials() {

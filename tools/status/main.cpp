@@ -41,7 +41,7 @@ int main(int argc, char** argv) {
       "  scarab-status --wait plant=1,supervisor=1,premotor=1 --timeout 30\n"
       "deploy/scarab status adds the processes of the stack.\n"
       "Exit codes: 0 done, 1 nobody there, or somebody waited for is missing or faulty, 2 bad "
-      "usage.");
+      "usage, 130 interrupted (--watch ends with 0).");
 
   return runtime::run_program(app, argc, argv, [&] {
     const runtime::SignalBlock signals;

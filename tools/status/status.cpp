@@ -119,6 +119,7 @@ int show(const StatusOptions& options) {
   const bool waiting = !options.wait_for.empty();
   onlooker.look(waiting ? Seconds(options.look_s) : std::max(Seconds(options.look_s), kDiscovery));
   if (waiting) onlooker.await(options.wait_for, Seconds(options.timeout_s - options.look_s));
+  if (onlooker.asked_to_stop()) return runtime::kExitInterrupted;
   print(onlooker.snapshot(), options.json);
   if (waiting) {
     const auto left = troubles(onlooker.board(), options.wait_for);
