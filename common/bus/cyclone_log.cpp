@@ -3,7 +3,10 @@
 #include <dds/dds.h>
 #include <dds/ddsrt/log.h>
 
+#include <cstdio>
 #include <string_view>
+
+#include "common/bus/line_limit.hpp"
 
 namespace scarab::bus {
 
@@ -12,6 +15,23 @@ namespace {
 std::mutex& sink_turn() {
   static std::mutex turn;  // there is one log sink in a process
   return turn;
+}
+
+// Of what Cyclone says by itself: an interface that goes down would fill the disk.
+constexpr std::uint32_t kLinesASecond = 10;
+
+/// What nobody collects: to stderr.
+void say(void* /*unused*/, const dds_log_data_t* data) {
+  static std::mutex turn;
+  static LineLimit limit(kLinesASecond);  // there is one log sink in a process
+  const std::lock_guard lock(turn);
+  const auto left_out = limit.admit(std::chrono::steady_clock::now());
+  if (!left_out) return;
+  if (*left_out > 0) {
+    std::fprintf(stderr, "(%llu more lines of Cyclone DDS left out)\n",
+                 static_cast<unsigned long long>(*left_out));
+  }
+  std::fputs(data->message, stderr);
 }
 
 }  // namespace
@@ -28,7 +48,7 @@ CycloneLog::CycloneLog() : turn_(sink_turn()) {
   dds_set_log_sink(collect, this);
 }
 
-CycloneLog::~CycloneLog() { dds_set_log_sink(nullptr, nullptr); }
+CycloneLog::~CycloneLog() { dds_set_log_sink(say, nullptr); }
 
 std::string CycloneLog::text() const {
   const std::lock_guard lock(mutex_);

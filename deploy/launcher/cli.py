@@ -5,8 +5,8 @@ import sys
 from types import ModuleType
 from typing import List, Sequence
 
-from . import (completion_verb, doctor_verb, operator_verbs, run_verb, sim_verb, status_verb,
-               up_verb)
+from . import (completion_verb, doctor_verb, logs_verb, operator_verbs, run_verb, sim_verb,
+               status_verb, up_verb)
 from .failure import EXIT_FAILURE, EXIT_OK, Failure, Interrupted
 from .places import Places, default_bin, default_runs, default_stack_file
 from .stack_declaration import stack_schema
@@ -82,7 +82,7 @@ def _add_status(verbs: Verbs) -> None:
 
 
 def _add_logs(verbs: Verbs) -> None:
-    parser = verbs.add("logs", status_verb.logs,
+    parser = verbs.add("logs", logs_verb.logs,
                        "show what the services of the running or last stack wrote",
                        "deploy/scarab logs premotor -f", operands=" [SERVICE]")
     parser.add_argument("service", nargs="?", metavar="SERVICE",

@@ -1,19 +1,14 @@
-"""`scarab status` and `scarab logs`: what runs, and what it says."""
+"""`scarab status`: what runs, and how it is."""
 
 import argparse
-import os
 import sys
 
-from .failure import EXIT_FAILURE, EXIT_OK, Failure, UsageError
-from .places import Places, shown
-from .run_directory import RunDirectory
-from .running_stack import choose_stack
-from .service_child import last_lines
+from .failure import EXIT_FAILURE, EXIT_OK
+from .places import Places
 from .signals import Signals
 from .status.onlooker import Onlooker
 from .status.screen import Screen
 from .status.show import shown_as
-from .strict_yaml import did_you_mean
 
 _SHORTEST_S, _LONGEST_S = 0.2, 3600.0
 
@@ -67,25 +62,3 @@ def _period(text: str) -> float:
         raise argparse.ArgumentTypeError(
             f"{text} is out of range [{_SHORTEST_S:g}, {_LONGEST_S:g}]")
     return value
-
-
-def logs(options: argparse.Namespace, places: Places) -> int:
-    """Of the running stack, else of the latest run."""
-    stack = choose_stack(places.runs, options.domain)
-    directory = stack.directory if stack else RunDirectory((places.runs / "latest").resolve())
-    files = sorted(directory.logs.glob("*.log"))
-    if not files:
-        raise Failure(f"there are no logs yet in {shown(places.runs)}")
-    if options.service:
-        names = [f.stem for f in files]
-        if options.service not in names:
-            raise UsageError(f"no log of '{options.service}'"
-                             f"{did_you_mean(options.service, names)}; one of {', '.join(names)}")
-        files = [directory.log_of(options.service)]
-    if options.follow:
-        os.execv("/usr/bin/tail", ["tail", "-n", str(options.lines), "-F", *map(str, files)])
-    for file in files:
-        if len(files) > 1:
-            print(f"==> {shown(file)} <==")
-        print("\n".join(last_lines(file, options.lines)))
-    return EXIT_OK

@@ -47,8 +47,8 @@ def up(options: argparse.Namespace, places: Places) -> int:
     launched = launch(places, stack, claim, options.pace or Pace.REALTIME, Kind.LASTING, signals)
     launched.keeper.let_go()
     run = launched.run
-    print(f"the stack is up on DDS domain {run.bus.domain}, {run.pace.words}: "
-          f"{stack.expected_here()}")
+    pace = f", {run.pace.words}" if stack.tick_master() else ""  # else the other host's to say
+    print(f"the stack is up on DDS domain {run.bus.domain}{pace}: {stack.expected_here()}")
     if stack.elsewhere:
         print(_elsewhere(launched, places))
     print(f"run directory: {shown(run.directory.path)}\n"
