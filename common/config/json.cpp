@@ -11,22 +11,6 @@ namespace {
 using Kind = Value::Kind;
 
 constexpr std::size_t kLineLength = 120;
-constexpr std::string_view kHexDigits = "0123456789abcdef";
-
-std::string in_json_quotes(std::string_view text) {
-  std::string result = "\"";
-  for (const char character : text) {
-    const auto code = static_cast<unsigned char>(character);
-    if (character == '"' || character == '\\') {
-      result += {'\\', character};
-    } else if (code < 0x20) {
-      result += {'\\', 'u', '0', '0', kHexDigits[code >> 4], kHexDigits[code & 15]};
-    } else {
-      result += character;
-    }
-  }
-  return result + "\"";
-}
 
 std::string scalar_text(const Value& value) {
   if (value.kind == Kind::kNothing) return "null";
@@ -67,6 +51,22 @@ void emit(const Value& value, std::size_t indent, std::size_t column, std::strin
 }
 
 }  // namespace
+
+std::string in_json_quotes(std::string_view text) {
+  constexpr std::string_view kHexDigits = "0123456789abcdef";
+  std::string result = "\"";
+  for (const char character : text) {
+    const auto code = static_cast<unsigned char>(character);
+    if (character == '"' || character == '\\') {
+      result += {'\\', character};
+    } else if (code < 0x20) {
+      result += {'\\', 'u', '0', '0', kHexDigits[code >> 4], kHexDigits[code & 15]};
+    } else {
+      result += character;
+    }
+  }
+  return result + "\"";
+}
 
 std::string emit_json(const Value& value) {
   std::string out;

@@ -1,35 +1,13 @@
 #include "services/experiment/adapter.hpp"
 
+#include "common/runtime/words.hpp"
+
 namespace scarab::experiment {
 namespace {
 
 constexpr double kSecondsPerNs = 1e-9;
 
 }  // namespace
-
-std::string state_name(scarab_BehaviourState state) {
-  switch (state) {
-    case scarab_BEHAVIOUR_IDLE:
-      return "idle";
-    case scarab_BEHAVIOUR_APPROACH:
-      return "approach";
-    case scarab_BEHAVIOUR_CLIMB:
-      return "climb";
-    case scarab_BEHAVIOUR_MODE_1:
-      return "mode 1";
-    case scarab_BEHAVIOUR_MODE_2:
-      return "mode 2";
-    case scarab_BEHAVIOUR_DONE:
-      return "done";
-    case scarab_BEHAVIOUR_FAILED:
-      return "failed";
-    case scarab_BEHAVIOUR_SAFE_STOP:
-      return "safe stop";
-    case scarab_BEHAVIOUR_MANUAL:
-      return "manual";
-  }
-  return "unknown";
-}
 
 TrialWatch::TrialWatch(const scarab_Trial& trial) {
   outcome_.number = trial.header.trial;
@@ -41,7 +19,7 @@ TrialWatch::TrialWatch(const scarab_Trial& trial) {
 void TrialWatch::see(const scarab_Behaviour& behaviour) {
   if (behaviour.header.trial != outcome_.number || state_ == behaviour.state) return;
   state_ = behaviour.state;
-  outcome_.end.state = state_name(behaviour.state);
+  outcome_.end.state = runtime::word(behaviour.state);
   outcome_.changes.push_back({static_cast<double>(behaviour.header.sim_time_ns) * kSecondsPerNs,
                               outcome_.end.state, behaviour.reason});
 }

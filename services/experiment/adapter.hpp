@@ -9,9 +9,6 @@
 
 namespace scarab::experiment {
 
-/// The name of a behaviour state as people read it: `mode 1`.
-std::string state_name(scarab_BehaviourState state);
-
 /// Follows one trial from the topics: collects the changes of behaviour and the verdict.
 class TrialWatch {
  public:

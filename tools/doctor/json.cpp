@@ -1,5 +1,6 @@
+#include "common/config/json.hpp"
+
 #include <algorithm>
-#include <iomanip>
 #include <set>
 #include <sstream>
 
@@ -11,30 +12,14 @@ namespace {
 using bus::DiscoveredEndpoint;
 using bus::DiscoveredParticipant;
 
-std::string quoted(const std::string& text) {
-  std::ostringstream out;
-  out << '"';
-  for (const char c : text) {
-    const auto code = static_cast<unsigned char>(c);
-    if (c == '"' || c == '\\') {
-      out << '\\' << c;
-    } else if (code < 0x20) {
-      out << "\\u" << std::hex << std::setw(4) << std::setfill('0') << static_cast<int>(code)
-          << std::dec;
-    } else {
-      out << c;
-    }
-  }
-  out << '"';
-  return out.str();
-}
+using config::in_json_quotes;
 
 /// `"key": value` pairs of who somebody is, without the brackets.
 std::string who(const DiscoveredParticipant& participant, const bus::Peer& peer) {
-  return "\"service\": " + quoted(peer.service.empty() ? "" : bus::to_string(peer)) +
-         ", \"process\": " + quoted(participant.process) +
+  return "\"service\": " + in_json_quotes(peer.service.empty() ? "" : bus::to_string(peer)) +
+         ", \"process\": " + in_json_quotes(participant.process) +
          ", \"pid\": " + std::to_string(participant.pid) +
-         ", \"host\": " + quoted(participant.host);
+         ", \"host\": " + in_json_quotes(participant.host);
 }
 
 std::string who(const Survey& survey, const DiscoveredEndpoint& endpoint) {
@@ -51,7 +36,7 @@ std::string topics_of(const Survey& survey, const bus::Guid& participant) {
     if (endpoint.participant == participant) topics.insert(endpoint.topic);
   }
   std::string out;
-  for (const auto& topic : topics) out += (out.empty() ? "" : ", ") + quoted(topic);
+  for (const auto& topic : topics) out += (out.empty() ? "" : ", ") + in_json_quotes(topic);
   return "[" + out + "]";
 }
 
@@ -67,9 +52,10 @@ std::string json(const Survey& survey, const std::vector<Fault>& faults) {
   std::string mismatches;
   for (const Fault& fault : faults) {
     mismatches += (mismatches.empty() ? "\n  {" : ",\n  {");
-    mismatches += "\"topic\": " + quoted(fault.writer.topic) +
-                  ", \"policy\": " + quoted(fault.policy) +
-                  ", \"offered\": " + quoted(fault.offered) + ", \"asked\": " + quoted(fault.asked);
+    mismatches += "\"topic\": " + in_json_quotes(fault.writer.topic) +
+                  ", \"policy\": " + in_json_quotes(fault.policy) +
+                  ", \"offered\": " + in_json_quotes(fault.offered) +
+                  ", \"asked\": " + in_json_quotes(fault.asked);
     mismatches += ", \"writer\": " + who(survey, fault.writer) +
                   ", \"reader\": " + who(survey, fault.reader) + "}";
   }

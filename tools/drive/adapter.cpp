@@ -4,8 +4,8 @@
 #include <iterator>
 
 #include "common/bus/sample_fields.hpp"
+#include "common/runtime/words.hpp"
 #include "services/supervisor/core/mode.hpp"
-#include "tools/drive/names.hpp"
 
 namespace scarab::drive {
 namespace {
@@ -64,7 +64,7 @@ void see(Live& live, const scarab_RobotState& state) {
   live.tick = state.header.tick;
   live.time_s = static_cast<double>(state.header.sim_time_ns) * 1e-9;
   live.real_time = state.real_time;
-  live.phase = name(state.phase);
+  live.phase = runtime::word(state.phase);
   for (std::size_t slot = 0; slot < robot::kJointCount; ++slot) {
     live.position_rad[slot] = state.position_rad[slot];
     live.has_joint[slot] = state.position_source[slot] != scarab_SOURCE_ABSENT;
@@ -72,7 +72,7 @@ void see(Live& live, const scarab_RobotState& state) {
 }
 
 void see(Live& live, const scarab_Behaviour& behaviour) {
-  live.state = name(behaviour.state);
+  live.state = runtime::word(behaviour.state);
   live.reason = bus::text(behaviour.reason);
   live.mode = supervisor::name(static_cast<supervisor::Mode>(behaviour.mode));
   std::copy(std::begin(behaviour.inputs), std::end(behaviour.inputs), live.inputs.begin());
@@ -93,7 +93,7 @@ void see(Live& live, const runtime::StatusBoard& board, const std::string& tick_
   for (const auto& [peer, report] : board.reports()) {
     const std::string who = bus::to_string(peer);
     live.services.push_back(
-        {who, name(report.lifecycle), concern_of(report.health), report.message});
+        {who, runtime::word(report.lifecycle), concern_of(report.health), report.message});
     if (who == tick_master) see_tick_master(live, report);
   }
 }

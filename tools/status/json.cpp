@@ -1,35 +1,22 @@
-#include <iomanip>
+#include "common/config/json.hpp"
+
 #include <sstream>
 
+#include "common/runtime/words.hpp"
 #include "tools/status/report.hpp"
 
 namespace scarab::status {
 namespace {
 
-std::string quoted(const std::string& text) {
-  std::ostringstream out;
-  out << '"';
-  for (const char c : text) {
-    const auto code = static_cast<unsigned char>(c);
-    if (c == '"' || c == '\\') {
-      out << '\\' << c;
-    } else if (code < 0x20) {
-      out << "\\u" << std::hex << std::setw(4) << std::setfill('0') << static_cast<int>(code)
-          << std::dec;
-    } else {
-      out << c;
-    }
-  }
-  out << '"';
-  return out.str();
-}
+using config::in_json_quotes;
+using runtime::word;
 
 /// `key`: value pairs in brackets; `text(value)` is JSON already.
 template <class Map, class Text>
 std::string object(const Map& entries, Text&& text) {
   std::string out;
   for (const auto& [key, value] : entries) {
-    out += (out.empty() ? "" : ", ") + quoted(key) + ": " + text(value);
+    out += (out.empty() ? "" : ", ") + in_json_quotes(key) + ": " + text(value);
   }
   return "{" + out + "}";
 }
@@ -47,12 +34,12 @@ std::string json(const runtime::Histogram& histogram) {
 std::string json(const ServiceView& view) {
   const runtime::ServiceReport& report = view.report;
   std::ostringstream out;
-  out << "{\"service\": " << quoted(report.peer.service)
+  out << "{\"service\": " << in_json_quotes(report.peer.service)
       << ", \"instance\": " << report.peer.instance
-      << ", \"lifecycle\": " << quoted(name(report.lifecycle))
-      << ", \"health\": " << quoted(name(report.health))
-      << ", \"message\": " << quoted(report.message) << ", \"trial\": " << report.header.trial
-      << ", \"tick\": " << report.header.tick
+      << ", \"lifecycle\": " << in_json_quotes(word(report.lifecycle))
+      << ", \"health\": " << in_json_quotes(word(report.health))
+      << ", \"message\": " << in_json_quotes(report.message)
+      << ", \"trial\": " << report.header.trial << ", \"tick\": " << report.header.tick
       << ", \"sim_time_s\": " << static_cast<double>(report.header.sim_time_ns) * 1e-9
       << ", \"stamp_ns\": " << report.header.stamp_ns
       << ", \"ticks_per_s\": " << view.rate.ticks_per_s
@@ -60,7 +47,7 @@ std::string json(const ServiceView& view) {
       << ", \"ready_trial\": " << report.ready_trial
       << ", \"recorded_trial\": " << report.recorded_trial
       << ", \"recorded_tick\": " << report.recorded_tick << ", \"pid\": " << report.process_id
-      << ", \"host\": " << quoted(view.host) << ", \"counters\": "
+      << ", \"host\": " << in_json_quotes(view.host) << ", \"counters\": "
       << object(report.counters, [](std::uint64_t value) { return std::to_string(value); })
       << ", \"histograms\": "
       << object(report.histograms, [](const runtime::Histogram& h) { return json(h); }) << "}";
@@ -74,8 +61,8 @@ std::string json(const Snapshot& snapshot) {
   for (const ServiceView& view : snapshot.services) {
     services += (services.empty() ? "" : ", ") + json(view);
   }
-  return "{\"tick_master\": " + quoted(snapshot.tick_master) + ", \"services\": [" + services +
-         "]}\n";
+  return "{\"tick_master\": " + in_json_quotes(snapshot.tick_master) + ", \"services\": [" +
+         services + "]}\n";
 }
 
 }  // namespace scarab::status

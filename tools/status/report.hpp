@@ -26,7 +26,4 @@ std::string table(const Snapshot& snapshot);
 /// One JSON document, on one line; README.md lists the keys.
 std::string json(const Snapshot& snapshot);
 
-const char* name(scarab_Lifecycle lifecycle);
-const char* name(scarab_Health health);
-
 }  // namespace scarab::status

@@ -1,39 +1,14 @@
 #include <iomanip>
 #include <sstream>
 
+#include "common/runtime/words.hpp"
 #include "tools/status/report.hpp"
 
 namespace scarab::status {
 
-const char* name(scarab_Lifecycle lifecycle) {
-  switch (lifecycle) {
-    case scarab_LIFECYCLE_UNCONFIGURED:
-      return "unconfigured";
-    case scarab_LIFECYCLE_INACTIVE:
-      return "inactive";
-    case scarab_LIFECYCLE_ACTIVE:
-      return "active";
-    case scarab_LIFECYCLE_FINALISED:
-      return "finalised";
-  }
-  return "unknown";
-}
-
-const char* name(scarab_Health health) {
-  switch (health) {
-    case scarab_HEALTH_OK:
-      return "ok";
-    case scarab_HEALTH_WAITING:
-      return "waiting";
-    case scarab_HEALTH_DEGRADED:
-      return "degraded";
-    case scarab_HEALTH_FAULT:
-      return "fault";
-  }
-  return "unknown";
-}
-
 namespace {
+
+using runtime::word;
 
 std::string counters_of(const runtime::ServiceReport& report) {
   std::string text;
@@ -64,8 +39,8 @@ std::string table(const Snapshot& snapshot) {
     std::ostringstream rate;
     rate << std::fixed << std::setprecision(1) << view.rate.ticks_per_s;
     const std::string counters = counters_of(report);
-    out << std::setw(16) << bus::to_string(report.peer) << std::setw(13) << name(report.lifecycle)
-        << std::setw(10) << name(report.health) << std::setw(7) << report.header.trial
+    out << std::setw(16) << bus::to_string(report.peer) << std::setw(13) << word(report.lifecycle)
+        << std::setw(10) << word(report.health) << std::setw(7) << report.header.trial
         << std::setw(8) << report.header.tick << std::setw(9) << rate.str() << std::setw(8)
         << report.process_id << report.message
         << (report.message.empty() || counters.empty() ? "" : "; ") << counters << '\n';

@@ -6,7 +6,6 @@
 #include <string>
 
 #include "common/bus/sample_fields.hpp"
-#include "tools/drive/names.hpp"
 
 namespace scarab::drive {
 namespace {
@@ -46,17 +45,6 @@ TEST(Adapter, TakesWhatTheSupervisorSays) {
   EXPECT_EQ(live.inputs[3], -0.3);
   EXPECT_EQ(live.bs_rad, 0.1);
   EXPECT_EQ(live.as_threshold_rad, 0.951);
-}
-
-TEST(Names, AreAllDifferent) {
-  std::set<std::string> names;
-  for (int state = scarab_BEHAVIOUR_IDLE; state <= scarab_BEHAVIOUR_MANUAL; ++state) {
-    EXPECT_TRUE(names.insert(name(static_cast<scarab_BehaviourState>(state))).second) << state;
-  }
-  names.clear();
-  for (int phase = scarab_PHASE_RUNNING; phase <= scarab_PHASE_FAILED; ++phase) {
-    EXPECT_TRUE(names.insert(name(static_cast<scarab_TrialPhase>(phase))).second) << phase;
-  }
 }
 
 }  // namespace

@@ -112,14 +112,5 @@ TEST_F(TrialWatchTest, CanBeEndedFromHere) {
   EXPECT_EQ(watch_.outcome().reason, "premotor/0: cannot go on");
 }
 
-TEST(StateName, EachStateHasItsOwn) {
-  std::set<std::string> names;
-  for (int state = scarab_BEHAVIOUR_IDLE; state <= scarab_BEHAVIOUR_MANUAL; ++state) {
-    names.insert(state_name(static_cast<scarab_BehaviourState>(state)));
-  }
-  EXPECT_EQ(names.size(), 9U);
-  EXPECT_EQ(names.count("unknown"), 0U);
-}
-
 }  // namespace
 }  // namespace scarab::experiment

@@ -1,8 +1,8 @@
-#include "tools/drive/names.hpp"
+#include "common/runtime/words.hpp"
 
-namespace scarab::drive {
+namespace scarab::runtime {
 
-const char* name(scarab_TrialPhase phase) {
+const char* word(scarab_TrialPhase phase) {
   switch (phase) {
     case scarab_PHASE_RUNNING:
       return "running";
@@ -18,7 +18,7 @@ const char* name(scarab_TrialPhase phase) {
   return "unknown";
 }
 
-const char* name(scarab_BehaviourState state) {
+const char* word(scarab_BehaviourState state) {
   switch (state) {
     case scarab_BEHAVIOUR_IDLE:
       return "idle";
@@ -42,18 +42,32 @@ const char* name(scarab_BehaviourState state) {
   return "unknown";
 }
 
-const char* name(scarab_Lifecycle lifecycle) {
+const char* word(scarab_Lifecycle lifecycle) {
   switch (lifecycle) {
     case scarab_LIFECYCLE_UNCONFIGURED:
-      return "starting";
+      return "unconfigured";
     case scarab_LIFECYCLE_INACTIVE:
       return "inactive";
     case scarab_LIFECYCLE_ACTIVE:
       return "active";
     case scarab_LIFECYCLE_FINALISED:
-      return "ended";
+      return "finalised";
   }
   return "unknown";
 }
 
-}  // namespace scarab::drive
+const char* word(scarab_Health health) {
+  switch (health) {
+    case scarab_HEALTH_OK:
+      return "ok";
+    case scarab_HEALTH_WAITING:
+      return "waiting";
+    case scarab_HEALTH_DEGRADED:
+      return "degraded";
+    case scarab_HEALTH_FAULT:
+      return "fault";
+  }
+  return "unknown";
+}
+
+}  // namespace scarab::runtime
