@@ -49,8 +49,9 @@ class Status(DoctorCase):
         self.assertAlmostEqual(stack["ticks_per_s"], 10 * stack["real_time_factor"], delta=0.5)
         timing = next(p for p in stack["processes"] if p["name"] == "plant")["histograms"]
         self.assertEqual(set(timing), {"command_age", "tick_jitter", "tick_overrun"})
-        for values in timing.values():
-            self.assertGreater(values["count"], 0)
+        for name, values in timing.items():
+            if name != "tick_overrun":  # there may have been none
+                self.assertGreater(values["count"], 0)
             self.assertLessEqual(values["p50_s"], values["p99_s"])
             self.assertLessEqual(values["p99_s"], values["max_s"])
 
