@@ -14,7 +14,7 @@ from .verbs import Verbs
 
 _STOP_MORE = """The trial's verdict is a failure, by the operator; the stack stays up for the next one. To stop the
 stack itself: `deploy/scarab down`. To hold the robot at once: `deploy/scarab estop`."""
-_ESTOP_MORE = """The robot holds its position, or drops its torque where its file says so. It stays so until
+_ESTOP_MORE = """The robot holds its position, whatever is commanded. It stays so until
 `deploy/scarab reset`. Without --domain it goes to every stack that is up on this machine."""
 _RESET_MORE = """Each joint first moves slowly to the start pose (homing); then the trial goes on."""
 
