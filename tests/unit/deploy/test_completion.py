@@ -221,15 +221,18 @@ class Candidates(Room):
         self.assertEqual(command.options["--format"].choices, ("yaml", "json"))
 
     def test_answer_comes_while_a_person_waits(self):
-        def answer_s():
-            """Of the processor, which a busy machine does not stretch."""
+        """Measured by what an interpreter with the same libraries takes to start, on this machine now."""
+        def cost_s(command):
             before = resource.getrusage(resource.RUSAGE_CHILDREN)
-            subprocess.run([str(SCARAB), ASK, "line", "scarab run --strategy "], check=True,
-                           capture_output=True, env={**os.environ, **self.environment})
+            subprocess.run(command, check=True, capture_output=True,
+                           env={**os.environ, **self.environment})
             after = resource.getrusage(resource.RUSAGE_CHILDREN)
             return after.ru_utime + after.ru_stime - before.ru_utime - before.ru_stime
 
-        self.assertLess(min(answer_s() for _ in range(3)), 0.3)
+        start = ["/usr/bin/python3", "-c", "import argparse, json, subprocess, yaml"]
+        ask = [str(SCARAB), ASK, "line", "scarab run --strategy "]
+        ratios = [cost_s(ask) / max(0.01, cost_s(start)) for _ in range(5)]
+        self.assertLess(min(ratios), 8.0, ratios)  # 3 to 4; 0.1 to 0.2 s where nothing else runs
 
     def test_tool_that_is_not_built_is_no_error_on_the_line(self):
         (self.room / "bin" / "scarab-topic").unlink()
