@@ -232,7 +232,7 @@ class Candidates(Room):
         start = ["/usr/bin/python3", "-c", "import argparse, json, subprocess, yaml"]
         ask = [str(SCARAB), ASK, "line", "scarab run --strategy "]
         ratios = [cost_s(ask) / max(0.01, cost_s(start)) for _ in range(5)]
-        self.assertLess(min(ratios), 8.0, ratios)  # 3 to 4; 0.1 to 0.2 s where nothing else runs
+        self.assertLess(min(ratios), 8.0, ratios)  # 2 to 4; 0.1 to 0.2 s where nothing else runs
 
     def test_tool_that_is_not_built_is_no_error_on_the_line(self):
         (self.room / "bin" / "scarab-topic").unlink()
