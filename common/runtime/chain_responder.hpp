@@ -34,9 +34,8 @@ namespace scarab::runtime {
 ///  - `std::optional<RecordKey> adopt(std::uint32_t trial, State&)`: a living replica's state, if
 ///    there is one;
 ///  - `bool has_replica()`: a replica lives whose state may still come;
-///  - `void report(StatusPublisher&)`: adds what the link alone knows; called after each look at
-///  the
-///    bus.
+///  - `void report(StatusPublisher&)`: adds what the link alone knows; called whenever the bus has
+///    been looked at.
 ///
 /// In lockstep nothing is ever missed. In real time the chain does not wait for a service that was
 /// away: it catches up through the missed ticks with the first question it gets, so that the
