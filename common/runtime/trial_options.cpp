@@ -8,12 +8,15 @@
 namespace scarab::runtime {
 namespace {
 
-// Start poses of the prototype's trials that these parameters were found with.
-constexpr double kPerturbPositionM = 0.01;
-constexpr double kPerturbYawRad = 0.034906585039886591;  // 2 deg
 constexpr double kHeightMostM = 0.5;
 constexpr double kDistanceMostM = 10;
 constexpr double kTimeLimitMostS = 36000;
+constexpr double kPerturbPositionMostM = 0.2;
+constexpr double kPerturbYawMostRad = 3.1415926535897932;
+constexpr double kPerturbFrictionMost = 0.9;
+constexpr double kFrictionScaleMost = 10;
+constexpr double kMassMostKg = 100;
+constexpr double kDiameterMostM = 1;
 
 /// Like CLI::Range, but refuses nan, too.
 CLI::Validator within(double low, double high) {
@@ -29,11 +32,43 @@ CLI::Validator within(double low, double high) {
 scarab_GoalKind goal_of(const TrialOptions& options) {
   if (options.goal == "none") return scarab_GOAL_NONE;
   if (options.goal == "travel") return scarab_GOAL_TRAVEL;
+  if (options.goal == "walk") return scarab_GOAL_WALK;
   if (options.goal == "across" && options.height_m == 0) {
     throw std::invalid_argument("goal across needs an obstacle: --height greater than 0");
   }
   if (options.goal == "across") return scarab_GOAL_ACROSS;
   return options.height_m > 0 ? scarab_GOAL_ACROSS : scarab_GOAL_TRAVEL;
+}
+
+void add_perturbation_options(CLI::App& app, TrialOptions& options) {
+  app.add_option("--perturb-position", options.perturb_position_m,
+                 "start position: uniform in +- this by the seed, m")
+      ->check(within(0.0, kPerturbPositionMostM))
+      ->capture_default_str();
+  app.add_option("--perturb-yaw", options.perturb_yaw_rad,
+                 "start heading: uniform in +- this by the seed, rad")
+      ->check(within(0.0, kPerturbYawMostRad))
+      ->capture_default_str();
+  app.add_option("--perturb-friction", options.perturb_friction,
+                 "every friction coefficient: uniform in 1 +- this by the seed")
+      ->check(within(0.0, kPerturbFrictionMost))
+      ->capture_default_str();
+  app.add_flag("!--no-perturbation", options.perturb,
+               "start every trial from the same pose and CPG phase, with the same friction");
+}
+
+void add_scene_options(CLI::App& app, TrialOptions& options) {
+  app.add_option("--friction-scale", options.friction_scale, "of every friction coefficient")
+      ->check(within(0.01, kFrictionScaleMost))
+      ->capture_default_str();
+  app.add_option("--object-mass", options.object_mass_kg,
+                 "mass of the object, kg; 0: as configured")
+      ->check(within(0.0, kMassMostKg))
+      ->capture_default_str();
+  app.add_option("--object-diameter", options.object_diameter_m,
+                 "diameter of the object, m; 0: as configured")
+      ->check(within(0.0, kDiameterMostM))
+      ->capture_default_str();
 }
 
 }  // namespace
@@ -45,11 +80,12 @@ void add_trial_options(CLI::App& app, TrialOptions& options) {
   app.add_option("--height", options.height_m, "height of the obstacle, m; 0: none")
       ->check(within(0.0, kHeightMostM))
       ->capture_default_str();
-  app.add_option("--goal", options.goal,
-                 "across (the obstacle), travel (a distance) or none; default: across if there is "
-                 "an obstacle, else travel")
-      ->check(CLI::IsMember({"across", "travel", "none"}));
-  app.add_option("--distance", options.distance_m, "for goal travel, m")
+  app.add_option(
+         "--goal", options.goal,
+         "across (the obstacle), travel (the object, a distance), walk (the robot, a distance) "
+         "or none; default: across if there is an obstacle, else travel")
+      ->check(CLI::IsMember({"across", "travel", "walk", "none"}));
+  app.add_option("--distance", options.distance_m, "for goals travel and walk, m")
       ->check(within(0.01, kDistanceMostM))
       ->capture_default_str();
   app.add_option("--time-limit", options.time_limit_s, "simulated time to reach the goal, s")
@@ -61,8 +97,8 @@ void add_trial_options(CLI::App& app, TrialOptions& options) {
   app.add_option("--trials", options.trials, "how many trials")
       ->check(CLI::Range(1U, 100000U))
       ->capture_default_str();
-  app.add_flag("!--no-perturbation", options.perturb,
-               "start every trial from the same pose and CPG phase");
+  add_perturbation_options(app, options);
+  add_scene_options(app, options);
   app.final_callback([&options] {
     try {
       (void)make_trial(options, 0, 1);
@@ -81,9 +117,13 @@ scarab_Trial make_trial(const TrialOptions& options, unsigned index, std::uint32
   trial.time_limit_s = options.time_limit_s;
   trial.obstacle_height_m = options.height_m;
   trial.seed = options.seed + index;
-  trial.perturb_position_m = options.perturb ? kPerturbPositionM : 0;
-  trial.perturb_yaw_rad = options.perturb ? kPerturbYawRad : 0;
+  trial.perturb_position_m = options.perturb ? options.perturb_position_m : 0;
+  trial.perturb_yaw_rad = options.perturb ? options.perturb_yaw_rad : 0;
+  trial.perturb_friction = options.perturb ? options.perturb_friction : 0;
   trial.perturb_cpg_phase = options.perturb;
+  trial.friction_scale = options.friction_scale;
+  trial.object_mass_kg = options.object_mass_kg;
+  trial.object_diameter_m = options.object_diameter_m;
   return trial;
 }
 

@@ -14,7 +14,7 @@ constexpr bool same(Core core, Idl idl) {
 }
 
 static_assert(same(Goal::kNone, scarab_GOAL_NONE) && same(Goal::kTravel, scarab_GOAL_TRAVEL) &&
-              same(Goal::kAcross, scarab_GOAL_ACROSS));
+              same(Goal::kAcross, scarab_GOAL_ACROSS) && same(Goal::kWalk, scarab_GOAL_WALK));
 static_assert(same(Solid::kGround, scarab_SOLID_GROUND) &&
               same(Solid::kTrunk, scarab_SOLID_TRUNK) && same(Solid::kFoot, scarab_SOLID_FOOT));
 static_assert(same(Verdict::kOpen, scarab_VERDICT_OPEN) &&
@@ -58,6 +58,10 @@ TrialSpec to_trial_spec(const scarab_Trial& trial) {
   spec.seed = trial.seed;
   spec.perturb_position_m = trial.perturb_position_m;
   spec.perturb_yaw_rad = trial.perturb_yaw_rad;
+  spec.perturb_friction = trial.perturb_friction;
+  spec.friction_scale = trial.friction_scale;
+  spec.object_mass_kg = trial.object_mass_kg;
+  spec.object_diameter_m = trial.object_diameter_m;
   return spec;
 }
 

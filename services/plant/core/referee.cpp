@@ -38,11 +38,15 @@ Ruling Referee::judge(const Standing& now) const {
     return success(sentence("the object's axis is %.3f m past the %.3f m obstacle after %.1f s",
                             past_wall, wall_.height, now.time_s));
   }
+  if (trial_.goal == Goal::kWalk && now.trunk_travel_m >= trial_.goal_distance_m) {
+    return success(sentence("the robot walked %.3f m of %.3f m in %.1f s", now.trunk_travel_m,
+                            trial_.goal_distance_m, now.time_s));
+  }
   if (now.trunk_tilt_rad > config_.overturned_tilt_rad) {
     return failure(sentence("the robot overturned: tilt %.2f rad, limit %.2f rad",
                             now.trunk_tilt_rad, config_.overturned_tilt_rad));
   }
-  if (trial_.goal != Goal::kNone) {
+  if (trial_.goal == Goal::kTravel || trial_.goal == Goal::kAcross) {
     const double apart = std::abs(now.trunk_end.x() - now.object.x());
     if (apart > config_.lost_distance_m) {
       return failure(sentence("the object was lost: %.2f m from the trunk's end, limit %.2f m",
@@ -59,12 +63,16 @@ Ruling Referee::judge(const Standing& now) const {
   if (trial_.goal == Goal::kNone) {
     return success(sentence("ran to the time limit of %.1f s", trial_.time_limit_s));
   }
+  if (trial_.goal == Goal::kWalk) {
+    return failure(sentence("time limit of %.1f s: the robot walked %.3f m", trial_.time_limit_s,
+                            now.trunk_travel_m));
+  }
   return failure(sentence("time limit of %.1f s: the object travelled %.3f m", trial_.time_limit_s,
                           now.object_travel_m));
 }
 
 Standing standing(const MotionState& state, double time_s, double trunk_half_length_m,
-                  double object_start_x_m) {
+                  const StartPlaces& start) {
   Standing out;
   out.time_s = time_s;
   out.trunk_end =
@@ -72,7 +80,8 @@ Standing standing(const MotionState& state, double time_s, double trunk_half_len
   const Eigen::Vector3d up = state.trunk_orientation * Eigen::Vector3d::UnitZ();
   out.trunk_tilt_rad = std::acos(std::clamp(up.z(), -1.0, 1.0));
   out.object = state.object_position;
-  out.object_travel_m = object_start_x_m - state.object_position.x();
+  out.object_travel_m = start.object_x - state.object_position.x();
+  out.trunk_travel_m = (state.trunk_position - start.trunk).head<2>().norm();
   return out;
 }
 

@@ -23,13 +23,21 @@ struct Standing {
   double trunk_tilt_rad = 0;                            ///< of its vertical against gravity
   Eigen::Vector3d object = Eigen::Vector3d::Zero();     ///< middle of the object's axis
   double object_travel_m = 0;
+  double trunk_travel_m = 0;  ///< horizontally, from where it started
+};
+
+/// Where things were when the trial's time began.
+struct StartPlaces {
+  double object_x = 0;
+  Eigen::Vector3d trunk = Eigen::Vector3d::Zero();
 };
 
 /// Judges a trial's goal on the ground truth.
 ///
 /// travel: the object has travelled the distance. across: the object's axis is across_margin_m past
-/// the wall (towards -x). Failure: robot overturned; object lost (too far from the trunk's end,
-/// along the path or sideways); time limit, which without a goal is the success instead.
+/// the wall (towards -x). walk: the robot is the distance away from its start. Failure: robot
+/// overturned; object lost (too far from the trunk's end, along the path or sideways); time limit,
+/// which without a goal is the success instead.
 class Referee {
  public:
   Referee(const RefereeConfig& config, const TrialSpec& trial, const Wall& wall);
@@ -43,6 +51,6 @@ class Referee {
 };
 
 [[nodiscard]] Standing standing(const MotionState& state, double time_s, double trunk_half_length_m,
-                                double object_start_x_m);
+                                const StartPlaces& start);
 
 }  // namespace scarab::plant

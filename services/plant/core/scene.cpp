@@ -1,7 +1,10 @@
 #include "services/plant/core/scene.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
+#include <stdexcept>
+#include <string>
 
 #include "common/random/random.hpp"
 #include "services/plant/core/robot_tree.hpp"
@@ -11,6 +14,28 @@ namespace {
 
 double uniform_within(double bound, std::uint64_t seed, std::uint64_t stream) {
   return bound * (2 * random::uniform(seed, stream, 0) - 1);
+}
+
+void require_size(double value, const char* name) {
+  if (std::isfinite(value) && value >= 0) return;
+  throw std::invalid_argument("the trial's " + std::string(name) + " is " + std::to_string(value) +
+                              ": it must be positive, or 0 for the configured one");
+}
+
+void change_friction(FrictionConfig& friction, const TrialSpec& trial) {
+  const double scale = trial.friction_scale > 0 ? trial.friction_scale : 1;
+  const auto change = [&](double& coefficient, const char* name) {
+    coefficient *=
+        scale * (1 + uniform_within(trial.perturb_friction, trial.seed, random::stream(name)));
+  };
+  change(friction.foot_ground, "friction_foot_ground");
+  change(friction.trunk_ground, "friction_trunk_ground");
+  change(friction.foot_object, "friction_foot_object");
+  change(friction.trunk_object, "friction_trunk_object");
+  change(friction.leg_obstacle, "friction_leg_obstacle");
+  change(friction.leg_leg, "friction_leg_leg");
+  change(friction.object_ground, "friction_object_ground");
+  change(friction.object_obstacle, "friction_object_obstacle");
 }
 
 /// Height of the lowest foot's lowest point.
@@ -33,6 +58,21 @@ Perturbation perturbation(const TrialSpec& trial) {
   return {uniform_within(trial.perturb_position_m, trial.seed, random::stream("start_x")),
           uniform_within(trial.perturb_position_m, trial.seed, random::stream("start_y")),
           uniform_within(trial.perturb_yaw_rad, trial.seed, random::stream("start_yaw"))};
+}
+
+PlantConfig scene_config(PlantConfig config, const TrialSpec& trial) {
+  require_size(trial.friction_scale, "friction scale");
+  require_size(trial.object_mass_kg, "object mass");
+  require_size(trial.object_diameter_m, "object diameter");
+  if (!(trial.perturb_friction >= 0 && trial.perturb_friction < 1)) {
+    throw std::invalid_argument("the trial's perturbation of friction is " +
+                                std::to_string(trial.perturb_friction) + ": it must be in [0, 1)");
+  }
+  change_friction(config.friction, trial);
+  if (trial.object_mass_kg > 0) config.object.mass_kg = trial.object_mass_kg;
+  if (trial.object_diameter_m > 0) config.object.diameter_m = trial.object_diameter_m;
+  if (trial.goal == Goal::kWalk) config.object.start_distance_m += trial.goal_distance_m + 1;
+  return config;
 }
 
 Wall make_wall(const PlantConfig& config, const TrialSpec& trial) {

@@ -19,6 +19,11 @@ struct Perturbation {
 /// Uniform within the trial's bounds; a pure function of its seed.
 [[nodiscard]] Perturbation perturbation(const TrialSpec& trial);
 
+/// The configuration as the trial changes it: its object, out of the way of a walk; its friction
+/// coefficients, scaled and perturbed by its seed. Throws std::invalid_argument for a scale, mass
+/// or diameter that is negative or not finite, and for a perturbation outside of [0, 1).
+[[nodiscard]] PlantConfig scene_config(PlantConfig config, const TrialSpec& trial);
+
 /// The wall of the trial; height 0 where there is none.
 [[nodiscard]] Wall make_wall(const PlantConfig& config, const TrialSpec& trial);
 

@@ -51,15 +51,15 @@ JointPresence presence(const Morphology& morphology) {
 class Simulation::Impl {
  public:
   Impl(const robot::RobotModel& robot, const PlantConfig& config, const TrialSpec& trial)
-      : config_(config),
+      : config_(scene_config(config, trial)),
         trial_(trial),
         timing_(make_timing(config.timing)),
         step_s_(static_cast<double>(timing_.step_ns) * 1e-9),
-        morphology_(make_morphology(robot, config.object)),
-        wall_(make_wall(config, trial)),
+        morphology_(make_morphology(robot, config_.object)),
+        wall_(make_wall(config_, trial)),
         referee_(config.referee, trial, wall_),
-        stepper_(morphology_, config, wall_),
-        state_(start_state(morphology_, config, perturbation(trial))),
+        stepper_(morphology_, config_, wall_),
+        state_(start_state(morphology_, config_, perturbation(trial))),
         reference_(state_.joint_rad),
         sensors_(config.sensors, presence(morphology_), trial.seed, timing_.step_ns),
         encoder_offset_rad_(sensors_.encoder_offset_rad()),
@@ -67,7 +67,7 @@ class Simulation::Impl {
     settle();
     sensors_.see(measured());
     sensors_.sample(0);
-    object_start_x_ = state_.object_position.x();
+    start_ = {state_.object_position.x(), state_.trunk_position};
   }
 
   [[nodiscard]] Observation observe() const { return sensors_.newest(); }
@@ -78,7 +78,7 @@ class Simulation::Impl {
     out.trunk_twist = twist(state_.speed, kTrunkSpeed);
     out.object = pose(state_.object_position, state_.object_orientation);
     out.object_twist = twist(state_.speed, kObjectSpeed);
-    out.object_travel_m = object_start_x_ - state_.object_position.x();
+    out.object_travel_m = start_.object_x - state_.object_position.x();
     out.obstacle_present = wall_.height > 0;
     out.obstacle_x_m = wall_.x;
     out.obstacle_height_m = wall_.height;
@@ -101,7 +101,7 @@ class Simulation::Impl {
     }
     if (ruling_.verdict == Verdict::kOpen) {
       ruling_ = referee_.judge(standing(state_, static_cast<double>(time_ns_) * 1e-9,
-                                        -morphology_.rear_box.low.x(), object_start_x_));
+                                        -morphology_.rear_box.low.x(), start_));
     }
   }
 
@@ -153,7 +153,7 @@ class Simulation::Impl {
   SensorReadings sensors_;
   robot::JointVector encoder_offset_rad_;
   CommandDelay commands_;
-  double object_start_x_ = 0;
+  StartPlaces start_;
   std::int64_t time_ns_ = 0;
   std::int64_t step_ = 0;     // of the trial; like time_ns_ from the end of the settling
   std::uint64_t sample_ = 0;  // index of the newest

@@ -60,6 +60,21 @@ TEST(Referee, AcrossSucceedsPastTheWall) {
   EXPECT_THAT(ruling.reason, HasSubstr("0.061 m past the 0.100 m obstacle"));
 }
 
+TEST(Referee, WalkSucceedsAtTheDistanceWhereverTheObjectIs) {
+  Standing now = good(25);
+  now.object.x() = -50;
+  now.trunk_travel_m = 1.459;
+  EXPECT_EQ(referee(Goal::kWalk).judge(now).verdict, Verdict::kOpen);
+  now.trunk_travel_m = 1.461;
+  const Ruling ruling = referee(Goal::kWalk).judge(now);
+  EXPECT_EQ(ruling.verdict, Verdict::kSuccess);
+  EXPECT_THAT(ruling.reason, HasSubstr("the robot walked 1.461 m of 1.460 m"));
+  now = good(60);
+  now.trunk_travel_m = 0.4;
+  EXPECT_EQ(referee(Goal::kWalk).judge(now).verdict, Verdict::kFailure);
+  EXPECT_THAT(referee(Goal::kWalk).judge(now).reason, HasSubstr("the robot walked 0.400 m"));
+}
+
 TEST(Referee, FailsWhenTheObjectIsLost) {
   Standing ahead = good();
   ahead.object.x() = ahead.trunk_end.x() - 0.81;
@@ -101,7 +116,9 @@ TEST(Standing, IsMeasuredAtTheTrunksEnd) {
   state.trunk_orientation =
       Eigen::Quaterniond(Eigen::AngleAxisd(1.5707963267948966, Eigen::Vector3d::UnitZ()));
   state.object_position = Eigen::Vector3d(-0.7, 0, 0.09);
-  const Standing now = standing(state, 3, 0.215, -0.5);
+  const Standing now =
+      standing(state, 3, 0.215, {-0.5, state.trunk_position + Eigen::Vector3d(0.3, -0.4, 1)});
+  EXPECT_NEAR(now.trunk_travel_m, 0.5, 1e-12) << "on the ground alone";
   EXPECT_NEAR((now.trunk_end - Eigen::Vector3d(1, 2 - 0.215, 0.1)).norm(), 0, 1e-12);
   EXPECT_NEAR(now.trunk_tilt_rad, 0, 1e-7);
   EXPECT_NEAR(now.object_travel_m, 0.2, 1e-12);

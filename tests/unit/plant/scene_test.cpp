@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <set>
 #include <stdexcept>
 
@@ -40,6 +41,69 @@ TEST(Perturbation, DependsOnTheSeedAlone) {
   EXPECT_EQ(perturbation(trial).x_m, first.x_m);
   trial.perturb_position_m = 0.02;
   EXPECT_DOUBLE_EQ(perturbation(trial).x_m, 2 * first.x_m);
+}
+
+TEST(SceneConfig, IsTheConfigurationWhereTheTrialSaysNothing) {
+  const PlantConfig config = testing::default_config();
+  const PlantConfig scene = scene_config(config, TrialSpec{});
+  EXPECT_EQ(scene.friction.foot_object, config.friction.foot_object);
+  EXPECT_EQ(scene.object.mass_kg, config.object.mass_kg);
+  EXPECT_EQ(scene.object.diameter_m, config.object.diameter_m);
+  EXPECT_EQ(scene.object.start_distance_m, config.object.start_distance_m);
+}
+
+TEST(SceneConfig, FrictionIsScaledAndPerturbedEachForItself) {
+  const PlantConfig config = testing::default_config();
+  TrialSpec trial;
+  trial.friction_scale = 1.25;
+  EXPECT_DOUBLE_EQ(scene_config(config, trial).friction.foot_ground,
+                   1.25 * config.friction.foot_ground);
+  trial.friction_scale = 0;
+  trial.perturb_friction = 0.1;
+  double widest = 0;
+  std::set<double> together;
+  for (trial.seed = 0; trial.seed < 200; ++trial.seed) {
+    const FrictionConfig friction = scene_config(config, trial).friction;
+    const double foot = friction.foot_ground / config.friction.foot_ground;
+    const double object = friction.object_obstacle / config.friction.object_obstacle;
+    EXPECT_LE(std::abs(foot - 1), 0.1 + 1e-12);
+    widest = std::max(widest, std::abs(foot - 1));
+    together.insert(foot - object);
+  }
+  EXPECT_GT(widest, 0.09);
+  EXPECT_EQ(together.size(), 200U) << "the coefficients vary independently of each other";
+}
+
+TEST(SceneConfig, TakesTheTrialsObject) {
+  TrialSpec trial;
+  trial.object_mass_kg = 3;
+  trial.object_diameter_m = 0.22;
+  const PlantConfig scene = scene_config(testing::default_config(), trial);
+  EXPECT_EQ(scene.object.mass_kg, 3);
+  const Morphology morphology = make_morphology(testing::beetle(), scene.object);
+  EXPECT_DOUBLE_EQ(morphology.object_radius_m, 0.11);
+  EXPECT_DOUBLE_EQ(make_wall(scene, trial).x, -(0.5 + 0.11 + 0.8));
+}
+
+TEST(SceneConfig, AWalkHasNoObjectInItsWay) {
+  TrialSpec trial;
+  trial.goal = Goal::kWalk;
+  trial.goal_distance_m = 3;
+  EXPECT_GT(scene_config(testing::default_config(), trial).object.start_distance_m, 4);
+}
+
+TEST(SceneConfig, RefusesWhatCannotBe) {
+  const PlantConfig config = testing::default_config();
+  const auto refused = [&](auto change) {
+    TrialSpec trial;
+    change(trial);
+    EXPECT_THROW(static_cast<void>(scene_config(config, trial)), std::invalid_argument);
+  };
+  refused([](TrialSpec& t) { t.friction_scale = -1; });
+  refused([](TrialSpec& t) { t.object_mass_kg = std::nan(""); });
+  refused([](TrialSpec& t) { t.object_diameter_m = -0.1; });
+  refused([](TrialSpec& t) { t.perturb_friction = 1; });
+  refused([](TrialSpec& t) { t.perturb_friction = -0.1; });
 }
 
 TEST(Scene, StandsAsTheTaskSays) {

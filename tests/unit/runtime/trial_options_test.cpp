@@ -38,6 +38,7 @@ TEST(TrialOptions, GoalFollowsTheObstacle) {
   EXPECT_EQ(trial_of({"--height", "0"}).goal, scarab_GOAL_TRAVEL);
   EXPECT_EQ(trial_of({"--height", "0.05", "--goal", "travel"}).goal, scarab_GOAL_TRAVEL);
   EXPECT_EQ(trial_of({"--height", "0", "--goal", "none"}).goal, scarab_GOAL_NONE);
+  EXPECT_EQ(trial_of({"--height", "0", "--goal", "walk"}).goal, scarab_GOAL_WALK);
 }
 
 TEST(TrialOptions, AcrossNothingIsAContradiction) {
@@ -55,6 +56,12 @@ TEST(TrialOptions, RefusesWhatIsOutOfRange) {
            {"--time-limit", {"0", "-5", "36001", "inf"}},
            {"--trials", {"0", "-1", "100001", "1.5"}},
            {"--seed", {"-1", "x"}},
+           {"--perturb-position", {"-0.01", "0.3"}},
+           {"--perturb-yaw", {"-0.1", "4"}},
+           {"--perturb-friction", {"-0.1", "1", "nan"}},
+           {"--friction-scale", {"0", "-1", "11"}},
+           {"--object-mass", {"-1", "101"}},
+           {"--object-diameter", {"-0.1", "1.1"}},
            {"--goal", {"", "home"}}}) {
     for (const auto& value : values) {
       EXPECT_THROW(parse({option, value}), CLI::ParseError) << option << " " << value;
@@ -79,7 +86,20 @@ TEST(TrialOptions, NoPerturbationIsNone) {
   const auto trial = trial_of({"--no-perturbation"});
   EXPECT_EQ(trial.perturb_position_m, 0);
   EXPECT_EQ(trial.perturb_yaw_rad, 0);
+  EXPECT_EQ(trial.perturb_friction, 0);
   EXPECT_FALSE(trial.perturb_cpg_phase);
+}
+
+TEST(TrialOptions, SayHowMuchVariesAndWithWhat) {
+  const auto trial =
+      trial_of({"--perturb-position", "0.03", "--perturb-yaw", "0.1", "--perturb-friction", "0.2",
+                "--friction-scale", "0.75", "--object-mass", "3", "--object-diameter", "0.14"});
+  EXPECT_EQ(trial.perturb_position_m, 0.03);
+  EXPECT_EQ(trial.perturb_yaw_rad, 0.1);
+  EXPECT_EQ(trial.perturb_friction, 0.2);
+  EXPECT_EQ(trial.friction_scale, 0.75);
+  EXPECT_EQ(trial.object_mass_kg, 3);
+  EXPECT_EQ(trial.object_diameter_m, 0.14);
 }
 
 TEST(TrialOptions, StrategyThatDoesNotFitTheTopicIsRefused) {
