@@ -37,7 +37,10 @@ Qos reader_qos(Profile profile, const ReaderOptions& options) {
   Qos qos = common_qos(profile);
   if (profile == Profile::kStream) dds_qset_durability(qos.get(), DDS_DURABILITY_VOLATILE);
   if (options.depth) dds_qset_history(qos.get(), DDS_HISTORY_KEEP_LAST, *options.depth);
-  if (options.keep_all) dds_qset_history(qos.get(), DDS_HISTORY_KEEP_ALL, DDS_LENGTH_UNLIMITED);
+  if (options.keep_all) {
+    dds_qset_history(qos.get(), DDS_HISTORY_KEEP_ALL, DDS_LENGTH_UNLIMITED);
+    dds_qset_durability(qos.get(), DDS_DURABILITY_TRANSIENT_LOCAL);
+  }
   if (options.best_effort) dds_qset_reliability(qos.get(), DDS_RELIABILITY_BEST_EFFORT, 0);
   return qos;
 }

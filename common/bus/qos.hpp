@@ -11,7 +11,9 @@ namespace scarab::bus {
 /// How a reader departs from its topic's profile.
 struct ReaderOptions {
   bool best_effort = false;  ///< for views: never slows a writer, may miss samples
-  bool keep_all = false;     ///< for recorders: unlimited history
+  /// For who must miss nothing: unlimited history, and transient-local, so that nothing is dropped
+  /// between the match and a writer's first heartbeat.
+  bool keep_all = false;
   std::optional<int> depth;  ///< another depth of keep-last history
 };
 
