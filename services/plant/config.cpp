@@ -187,6 +187,10 @@ PlantConfig load_config(const std::filesystem::path& path) {
   return config::load<PlantConfig>(path);
 }
 
+PlantConfig load_config_text(const std::string& file, const std::string& text) {
+  return config::load_text<PlantConfig>(file, text);
+}
+
 std::string dump_config(const PlantConfig& config) { return config::dump(config); }
 
 std::string config_schema() { return config::schema<PlantConfig>("Scarab: config/plant"); }

@@ -89,6 +89,10 @@ PremotorConfig load_config(const std::filesystem::path& path) {
   return config::load<PremotorConfig>(path);
 }
 
+PremotorConfig load_config_text(const std::string& file, const std::string& text) {
+  return config::load_text<PremotorConfig>(file, text);
+}
+
 std::string dump_config(const PremotorConfig& config) { return config::dump(config); }
 
 std::string config_schema() { return config::schema<PremotorConfig>("Scarab: config/premotor"); }

@@ -69,6 +69,10 @@ SupervisorConfig load_config(const std::filesystem::path& path) {
   return config::load<SupervisorConfig>(path);
 }
 
+SupervisorConfig load_config_text(const std::string& file, const std::string& text) {
+  return config::load_text<SupervisorConfig>(file, text);
+}
+
 std::string dump_config(const SupervisorConfig& config) { return config::dump(config); }
 
 std::string config_schema() {
