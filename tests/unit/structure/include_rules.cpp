@@ -74,7 +74,9 @@ bool common_may_include(const std::string& folder, const std::string& target) {
 }
 
 bool tool_may_include(const SourceFile& file, const std::vector<std::string>& to) {
-  if (to[0] == "tools") return to[1] == file.part(1);
+  // How cores are put together in one process: there must not be a second way to run a trial.
+  static const std::vector<std::string> composition = {"tools", "sim", "composition.hpp"};
+  if (to[0] == "tools") return to[1] == file.part(1) || to == composition;
   const std::string& room = to[2];
   return room == "core" || room == "adapter.hpp" || room == "config.hpp";
 }

@@ -69,6 +69,8 @@ const Case kCases[] = {
     {check_layers, "tools/sim/sim.cpp", "\"services/plant/adapter.hpp\"", true},
     {check_layers, "tools/sim/sim.cpp", "\"services/plant/service.hpp\"", false},
     {check_layers, "tools/sim/sim.cpp", "\"tools/log/info.hpp\"", false},
+    {check_layers, "tools/search/trial.cpp", "\"tools/sim/composition.hpp\"", true},
+    {check_layers, "tools/search/trial.cpp", "\"tools/sim/sim.hpp\"", false},
     {check_layers, "common/runtime/a.cpp", "\"services/plant/adapter.hpp\"", false},
     {check_layers, "common/runtime/a.cpp", "\"common/bus/reader.hpp\"", true},
     {check_layers, "common/bus/a.cpp", "\"common/runtime/options.hpp\"", false},
