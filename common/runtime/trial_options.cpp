@@ -2,28 +2,21 @@
 
 #include <CLI/CLI.hpp>
 #include <stdexcept>
+#include <vector>
 
 #include "common/bus/sample_fields.hpp"
+#include "common/runtime/trial_limits.hpp"
 
 namespace scarab::runtime {
 namespace {
 
-constexpr double kHeightMostM = 0.5;
-constexpr double kDistanceMostM = 10;
-constexpr double kTimeLimitMostS = 36000;
-constexpr double kPerturbPositionMostM = 0.2;
-constexpr double kPerturbYawMostRad = 3.1415926535897932;
-constexpr double kPerturbFrictionMost = 0.9;
-constexpr double kFrictionScaleMost = 10;
-constexpr double kMassMostKg = 100;
-constexpr double kDiameterMostM = 1;
-
 /// Like CLI::Range, but refuses nan, too.
-CLI::Validator within(double low, double high) {
-  const std::string description = CLI::Range(low, high).get_description();
-  const auto check = [low, high, description](const std::string& text) {
+CLI::Validator within(const Limits& limits) {
+  const std::string description = CLI::Range(limits.low, limits.high).get_description();
+  const auto check = [limits, description](const std::string& text) {
     double value = 0;
-    const bool inside = CLI::detail::lexical_cast(text, value) && value >= low && value <= high;
+    const bool inside =
+        CLI::detail::lexical_cast(text, value) && value >= limits.low && value <= limits.high;
     return inside ? std::string() : text + " is no " + description;
   };
   return {check, description};
@@ -43,15 +36,15 @@ scarab_GoalKind goal_of(const TrialOptions& options) {
 void add_perturbation_options(CLI::App& app, TrialOptions& options) {
   app.add_option("--perturb-position", options.perturb_position_m,
                  "start position: uniform in +- this by the seed, m")
-      ->check(within(0.0, kPerturbPositionMostM))
+      ->check(within(kPerturbPositionLimitsM))
       ->capture_default_str();
   app.add_option("--perturb-yaw", options.perturb_yaw_rad,
                  "start heading: uniform in +- this by the seed, rad")
-      ->check(within(0.0, kPerturbYawMostRad))
+      ->check(within(kPerturbYawLimitsRad))
       ->capture_default_str();
   app.add_option("--perturb-friction", options.perturb_friction,
                  "every friction coefficient: uniform in 1 +- this by the seed")
-      ->check(within(0.0, kPerturbFrictionMost))
+      ->check(within(kPerturbFrictionLimits))
       ->capture_default_str();
   app.add_flag("!--no-perturbation", options.perturb,
                "start every trial from the same pose and CPG phase, with the same friction");
@@ -59,15 +52,15 @@ void add_perturbation_options(CLI::App& app, TrialOptions& options) {
 
 void add_scene_options(CLI::App& app, TrialOptions& options) {
   app.add_option("--friction-scale", options.friction_scale, "of every friction coefficient")
-      ->check(within(0.01, kFrictionScaleMost))
+      ->check(within(kFrictionScaleLimits))
       ->capture_default_str();
   app.add_option("--object-mass", options.object_mass_kg,
                  "mass of the object, kg; 0: as configured")
-      ->check(within(0.0, kMassMostKg))
+      ->check(within(kObjectMassLimitsKg))
       ->capture_default_str();
   app.add_option("--object-diameter", options.object_diameter_m,
                  "diameter of the object, m; 0: as configured")
-      ->check(within(0.0, kDiameterMostM))
+      ->check(within(kObjectDiameterLimitsM))
       ->capture_default_str();
 }
 
@@ -78,7 +71,7 @@ void add_trial_options(CLI::App& app, TrialOptions& options) {
                  "soft, boxing, stationary, soft+hard, ... (config/supervisor)")
       ->capture_default_str();
   app.add_option("--height", options.height_m, "height of the obstacle, m; 0: none")
-      ->check(within(0.0, kHeightMostM))
+      ->check(within(kHeightLimitsM))
       ->capture_default_str();
   app.add_option(
          "--goal", options.goal,
@@ -86,10 +79,10 @@ void add_trial_options(CLI::App& app, TrialOptions& options) {
          "or none; default: across if there is an obstacle, else travel")
       ->check(CLI::IsMember({"across", "travel", "walk", "none"}));
   app.add_option("--distance", options.distance_m, "for goals travel and walk, m")
-      ->check(within(0.01, kDistanceMostM))
+      ->check(within(kDistanceLimitsM))
       ->capture_default_str();
   app.add_option("--time-limit", options.time_limit_s, "simulated time to reach the goal, s")
-      ->check(within(0.1, kTimeLimitMostS))
+      ->check(within(kTimeLimitsS))
       ->capture_default_str();
   app.add_option("--seed", options.seed, "of the first trial; each further one has the next")
       ->check(CLI::NonNegativeNumber)
@@ -106,6 +99,16 @@ void add_trial_options(CLI::App& app, TrialOptions& options) {
       throw CLI::ValidationError(error.what());
     }
   });
+}
+
+void add_worker_flag(CLI::App& app, bool& worker) {
+  const std::vector<CLI::Option*> others = app.get_options();
+  auto* flag = app.add_flag("--worker", worker,
+                            "read one trial a line from stdin (JSON) and write its result to "
+                            "stdout, until the end of stdin (docs/experiments.md)");
+  for (auto* other : others) {
+    if (other != app.get_help_ptr()) flag->excludes(other);
+  }
 }
 
 scarab_Trial make_trial(const TrialOptions& options, unsigned index, std::uint32_t number) {

@@ -33,6 +33,9 @@ struct TrialOptions {
 /// error.
 void add_trial_options(CLI::App& app, TrialOptions& options);
 
+/// Adds --worker: the trials come from stdin. It excludes every option that `app` has so far.
+void add_worker_flag(CLI::App& app, bool& worker);
+
 /// Trial `index` (from 0) of the series as number `number` of the run; header.stamp_ns is the
 /// caller's. Throws std::invalid_argument where options contradict each other.
 scarab_Trial make_trial(const TrialOptions& options, unsigned index, std::uint32_t number);

@@ -1,15 +1,23 @@
 #pragma once
 
+#include <array>
 #include <chrono>
 #include <optional>
 
 #include "common/bus/reader.hpp"
 #include "common/bus/topics.hpp"
+#include "services/experiment/core/heading.hpp"
 #include "services/experiment/core/outcome.hpp"
+#include "services/experiment/core/sample_sequence.hpp"
+#include "services/experiment/core/trial_line.hpp"
 
 namespace scarab::experiment {
 
-/// Follows one trial from the topics: collects the changes of behaviour and the verdict.
+/// The trial of a line as number `number` of the run; header.stamp_ns is the caller's.
+scarab_Trial to_trial(const TrialLine& line, std::uint32_t number);
+
+/// Follows one trial from the topics: collects the changes of behaviour, measures, the verdict. It
+/// needs every sample, in the order of each topic; how the two topics interleave does not matter.
 class TrialWatch {
  public:
   explicit TrialWatch(const scarab_Trial& trial);
@@ -18,15 +26,31 @@ class TrialWatch {
   void see(const scarab_WorldState& world);
   /// Ends the trial from here: it cannot be judged.
   void fail(const std::string& reason);
+  /// Something of the trial was not seen.
+  void miss(const std::string& what);
 
   [[nodiscard]] bool ended() const { return ended_; }
+  /// The last answer of the chain has come, too: there is nothing more to see.
+  [[nodiscard]] bool complete() const;
   [[nodiscard]] const Outcome& outcome() const { return outcome_; }
   [[nodiscard]] std::uint32_t last_tick() const { return last_tick_; }
 
  private:
+  void measure(const scarab_WorldState& world);
+
+  struct Place {
+    std::array<double, 3> trunk_m{};
+    double object_y_m = 0;
+  };
+
   Outcome outcome_;
+  SampleSequence worlds_{"world_state"};
+  SampleSequence behaviours_{"behaviour"};
+  std::optional<Place> start_;
+  Turn turn_;
   std::optional<std::chrono::steady_clock::time_point> started_;
   std::optional<scarab_BehaviourState> state_;
+  std::uint32_t behaviour_tick_ = 0;
   std::uint32_t last_tick_ = 0;
   bool ended_ = false;
 };

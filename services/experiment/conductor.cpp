@@ -16,6 +16,12 @@ constexpr std::chrono::seconds kPatience{1};
 constexpr std::chrono::milliseconds kGonePatience{250};
 constexpr std::chrono::seconds kRecordLimit{10};
 
+bus::ReaderOptions every_sample() {
+  bus::ReaderOptions options;
+  options.keep_all = true;
+  return options;
+}
+
 }  // namespace
 
 Conductor::Conductor(bus::Participant& participant, const runtime::Expectation& expect,
@@ -27,8 +33,8 @@ Conductor::Conductor(bus::Participant& participant, const runtime::Expectation& 
       guard_(participant),
       wait_set_(participant),
       trials_(participant, bus::kTrial),
-      behaviours_(participant, bus::kBehaviour),
-      worlds_(participant, bus::kWorldState),
+      behaviours_(participant, bus::kBehaviour, every_sample()),
+      worlds_(participant, bus::kWorldState, every_sample()),
       board_(participant),
       shutdown_(guard_) {
   wait_set_.attach(behaviours_);
@@ -71,9 +77,12 @@ Outcome Conductor::run(scarab_Trial trial, std::chrono::seconds silence_limit) {
   told_ns_ = trial.header.stamp_ns = bus::now_ns();
   trials_.write(trial);
   std::size_t shown = 0;
-  while (!watch.ended()) {
+  for (auto due = told_; !watch.ended();) {
     wait(kWatchPoll);
     show_changes(watch.outcome(), shown);
+    // Samples come by the thousand a second: this need not be done for each.
+    if (Clock::now() < due) continue;
+    due = Clock::now() + kWatchPoll;
     if (listener_.progress) listener_.progress(watch.outcome().end);
     watch_for_trouble(watch, silence_limit);
   }
@@ -138,25 +147,36 @@ bool Conductor::left_over(const runtime::ServiceReport& report) const {
   return report.header.stamp_ns < told_ns_ && Clock::now() - told_ < kPatience;
 }
 
+bool Conductor::service_at_fault() const {
+  const auto& reports = board_.reports();
+  return std::any_of(reports.begin(), reports.end(), [this](const auto& entry) {
+    return entry.second.health == scarab_HEALTH_FAULT && !left_over(entry.second);
+  });
+}
+
+bool Conductor::recorded(const TrialWatch& watch) const {
+  if (expect_.count("logger") == 0) return true;
+  const auto* logger = board_.find({"logger", 0});
+  return logger && logger->recorded_trial == watch.outcome().number &&
+         logger->recorded_tick >= watch.last_tick();
+}
+
 /// The last answers of the trial, and their record: so that whoever stops the stack now loses
 /// nothing.
-void Conductor::await_record(const TrialWatch& watch) {
-  const auto recorded = [&] {
-    if (expect_.count("logger") == 0) return true;
-    const auto* logger = board_.find({"logger", 0});
-    return logger && logger->recorded_trial == watch.outcome().number &&
-           logger->recorded_tick >= watch.last_tick();
-  };
+void Conductor::await_record(TrialWatch& watch) {
   const auto since = Clock::now();
+  const auto limit = expect_.count("supervisor") == 0 ? kPatience : kRecordLimit;
+  const auto complete = [&] {
+    // Else nobody is left to say that it has ended.
+    const bool comes = watch.outcome().judged && !plant_gone_ && !at_fault() && !service_at_fault();
+    return watch.complete() || !comes || Clock::now() - since > limit;
+  };
   while (Clock::now() - since < kRecordLimit) {
-    const auto& changes = watch.outcome().changes;
-    const bool told =
-        at_fault() || plant_gone_ ||  // nobody is left to say that it has ended
-        (!changes.empty() && (changes.back().state == "done" || changes.back().state == "failed"));
-    if (told && recorded()) return;
-    if (!told && Clock::now() - since > kPatience && recorded()) return;
+    if (complete() && recorded(watch)) break;
     wait(kPoll);
   }
+  if (!watch.complete()) watch.miss("the last behaviour of the trial did not come");
+  if (!recorded(watch)) watch.miss("logger/0 has not recorded the last tick of the trial");
 }
 
 }  // namespace scarab::experiment

@@ -14,11 +14,9 @@
 #include "common/runtime/status_board.hpp"
 #include "services/experiment/adapter.hpp"
 #include "services/experiment/fault_file.hpp"
+#include "services/experiment/interrupted.hpp"
 
 namespace scarab::experiment {
-
-/// SIGINT or SIGTERM came.
-struct Interrupted {};
 
 /// The stack did not become ready in time; says whom it waited for.
 class NotReady : public std::runtime_error {
@@ -44,18 +42,22 @@ class Conductor {
   void await_stack(std::chrono::seconds limit);
   /// The first trial number that nobody in the stack has seen.
   [[nodiscard]] std::uint32_t next_trial() const;
-  /// Runs one trial to its end and to its last tick in the log. A fault ends it, with no success.
-  /// Throws Interrupted.
+  /// Runs one trial to its end and to its last tick in the log. A fault ends it, with no success
+  /// and no judgement. Throws Interrupted.
   Outcome run(scarab_Trial trial, std::chrono::seconds silence_limit);
   /// No further trial can run on this stack.
   [[nodiscard]] bool at_fault() const { return fault_.reason().has_value(); }
+  /// SIGINT or SIGTERM has come.
+  [[nodiscard]] bool interrupted() const { return shutdown_.requested(); }
 
  private:
   void wait(std::chrono::milliseconds timeout);
   void show_changes(const Outcome& outcome, std::size_t& shown) const;
   void watch_for_trouble(TrialWatch& watch, std::chrono::seconds silence_limit);
   [[nodiscard]] bool left_over(const runtime::ServiceReport& report) const;
-  void await_record(const TrialWatch& watch);
+  [[nodiscard]] bool service_at_fault() const;
+  [[nodiscard]] bool recorded(const TrialWatch& watch) const;
+  void await_record(TrialWatch& watch);
 
   runtime::Expectation expect_;
   Listener listener_;

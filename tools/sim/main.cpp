@@ -15,18 +15,19 @@ int main(int argc, char** argv) {
       "Example (deploy/scarab sim fills in the files):\n"
       "  scarab-sim --robot config/robot/beetle.yaml --plant config/plant/beetle.yaml \\\n"
       "    --premotor config/premotor/beetle.yaml --supervisor config/supervisor/beetle.yaml\n"
-      "Exit codes: 0 every trial succeeded, 1 one failed, 2 bad usage or configuration, 130 "
-      "interrupted.");
+      "Exit codes: 0 every trial succeeded, or --worker has run all; 1 one failed, 2 bad usage or "
+      "configuration, 130 interrupted.");
   sim::SimOptions options;
   std::string robot, plant, premotor, supervisor;
   runtime::add_trial_options(app, options.trials);
+  app.add_option("--results", options.results, "write a table of the trials here (CSV)");
+  app.add_flag("--quiet", options.quiet, "print results only");
+  runtime::add_worker_flag(app, options.worker);
   app.add_option("--robot", robot, "robot description (YAML)")->required();
   app.add_option("--plant", plant, "plant configuration (YAML)")->required();
   app.add_option("--premotor", premotor, "premotor configuration (YAML)")->required();
   app.add_option("--supervisor", supervisor, "supervisor configuration (YAML)")->required();
   app.add_option("--output", options.output, "record all samples here (MCAP)");
-  app.add_option("--results", options.results, "write a table of the trials here (CSV)");
-  app.add_flag("--quiet", options.quiet, "print results only");
 
   return runtime::run_program(app, argc, argv, [&] {
     sim::Configuration configuration;
@@ -34,6 +35,7 @@ int main(int argc, char** argv) {
     configuration.plant = plant::load_config(plant);
     configuration.premotor = premotor::load_config(premotor);
     configuration.supervisor = supervisor::load_config(supervisor);
-    return sim::simulate(options, configuration);
+    return options.worker ? sim::serve_lines(options, configuration)
+                          : sim::simulate(options, configuration);
   });
 }

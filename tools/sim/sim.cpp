@@ -1,7 +1,10 @@
 #include "tools/sim/sim.hpp"
 
+#include <unistd.h>
+
 #include <atomic>
 #include <csignal>
+#include <iostream>
 #include <vector>
 
 #include "common/runtime/program.hpp"
@@ -9,6 +12,7 @@
 #include "common/runtime/text_file.hpp"
 #include "services/experiment/adapter.hpp"
 #include "services/experiment/core/report.hpp"
+#include "services/experiment/worker.hpp"
 
 namespace scarab::sim {
 namespace {
@@ -16,6 +20,11 @@ namespace {
 std::atomic<bool> interrupted{false};  // set by the signal handler, the one thing it can reach
 
 void interrupt(int) { interrupted = true; }
+
+void listen_to_signals() {
+  std::signal(SIGINT, interrupt);
+  std::signal(SIGTERM, interrupt);
+}
 
 experiment::Outcome run(const Configuration& configuration, const scarab_Trial& trial,
                         SampleLog& log, runtime::Screen& screen) {
@@ -38,11 +47,38 @@ experiment::Outcome run(const Configuration& configuration, const scarab_Trial& 
   return watch.outcome();
 }
 
+/// The same without a screen.
+experiment::Outcome run(const Configuration& configuration, const scarab_Trial& trial,
+                        SampleLog& log) {
+  experiment::TrialWatch watch(trial);
+  Listener listener;
+  listener.behaviour = [&](const scarab_Behaviour& behaviour) { watch.see(behaviour); };
+  listener.world = [&](const scarab_WorldState& world) { watch.see(world); };
+  listener.interrupted = [] { return interrupted.load(); };
+  run_trial(configuration, trial, log, listener);
+  if (interrupted) throw experiment::Interrupted{};
+  return watch.outcome();
+}
+
 }  // namespace
 
+int serve_lines(const SimOptions& options, const Configuration& configuration) {
+  listen_to_signals();
+  SampleLog log(options.output);
+  experiment::Worker worker;
+  worker.input = STDIN_FILENO;
+  worker.output = &std::cout;
+  worker.interrupted = [] { return interrupted.load(); };
+  worker.run = [&](const experiment::TrialLine& line, std::uint32_t n) {
+    return run(configuration, experiment::to_trial(line, n), log);
+  };
+  const int code = experiment::work(worker);
+  log.close();
+  return code;
+}
+
 int simulate(const SimOptions& options, const Configuration& configuration) {
-  std::signal(SIGINT, interrupt);
-  std::signal(SIGTERM, interrupt);
+  listen_to_signals();
   runtime::Screen screen(options.quiet);
   (void)make_trial(options.trials, 0, 1);  // contradictions show before a file is begun
   SampleLog log(options.output);

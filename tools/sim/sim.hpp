@@ -12,7 +12,12 @@ struct SimOptions {
   std::filesystem::path output;   ///< MCAP; empty: none
   std::filesystem::path results;  ///< CSV; empty: none
   bool quiet = false;
+  bool worker = false;  ///< trials come from stdin
 };
+
+/// Runs the trials told on stdin, one a line, and writes a row of results to stdout for each
+/// (services/experiment/worker.hpp); returns the program's exit code.
+int serve_lines(const SimOptions& options, const Configuration& configuration);
 
 /// Runs the series in this process and reports it like the experiment service; returns the
 /// program's exit code: 0 all trials succeeded, 1 not, 130 interrupted.

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -21,6 +22,16 @@ struct Progress {
   std::string state;
 };
 
+/// What a trial is measured by, on the ground truth: from its first sample to its last.
+struct Measures {
+  double object_travel_m = 0;    ///< towards -x
+  double object_sideways_m = 0;  ///< towards +y
+  double trunk_travel_m = 0;     ///< horizontally, from the start pose
+  double heading_rad = 0;        ///< of the trunk against its start, whole turns counted
+  double heading_max_rad = 0;    ///< the largest amount of any sample
+  std::optional<double> climb_s, mode1_s, mode2_s;  ///< when that was first entered
+};
+
 /// All that a trial's report says.
 struct Outcome {
   std::uint32_t number = 0;
@@ -29,8 +40,11 @@ struct Outcome {
   std::uint64_t seed = 0;
   bool success = false;
   std::string reason;
-  Progress end;  ///< where it stood at the end
+  bool judged = false;  ///< by the referee; false: there is no verdict, the reason says why
+  Progress end;         ///< where it stood at the end
+  Measures measures;
   std::vector<BehaviourChange> changes;
+  std::string missed;  ///< which sample did not come, in words: the measures are not to be trusted
 };
 
 }  // namespace scarab::experiment
