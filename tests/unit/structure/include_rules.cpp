@@ -78,7 +78,9 @@ bool tool_may_include(const SourceFile& file, const std::vector<std::string>& to
   static const std::vector<std::string> composition = {"tools", "sim", "composition.hpp"};
   if (to[0] == "tools") return to[1] == file.part(1) || to == composition;
   const std::string& room = to[2];
-  return room == "core" || room == "adapter.hpp" || room == "config.hpp";
+  // The loop of a worker is one, whatever runs its trials.
+  const bool worker = to[1] == "experiment" && room == "worker.hpp";
+  return room == "core" || room == "adapter.hpp" || room == "config.hpp" || worker;
 }
 
 }  // namespace

@@ -68,6 +68,8 @@ const Case kCases[] = {
     {check_layers, "tools/sim/sim.cpp", "\"services/plant/core/simulation.hpp\"", true},
     {check_layers, "tools/sim/sim.cpp", "\"services/plant/adapter.hpp\"", true},
     {check_layers, "tools/sim/sim.cpp", "\"services/plant/service.hpp\"", false},
+    {check_layers, "tools/sim/sim.cpp", "\"services/experiment/worker.hpp\"", true},
+    {check_layers, "tools/sim/sim.cpp", "\"services/experiment/conductor.hpp\"", false},
     {check_layers, "tools/sim/sim.cpp", "\"tools/log/info.hpp\"", false},
     {check_layers, "tools/search/trial.cpp", "\"tools/sim/composition.hpp\"", true},
     {check_layers, "tools/search/trial.cpp", "\"tools/sim/sim.hpp\"", false},
