@@ -15,7 +15,10 @@ import argparse
 import sys
 from pathlib import Path
 
-from signal_table import SignalTableError, join_tables, read_table, write_table
+sys.path[0] = str(Path(__file__).resolve().parents[1])
+
+from report.failure import ReportError  # noqa: E402
+from report.signal_table import join_tables, read_table, write_table  # noqa: E402
 
 
 def main() -> int:
@@ -26,11 +29,11 @@ def main() -> int:
             source = options.output.with_suffix(".csv")
             write_table(source, join_tables(options.behaviour, options.robot_state))
         table = read_table(source)  # so that drawing again from the table gives the same figure
-    except (OSError, SignalTableError) as error:
+    except (OSError, ReportError) as error:
         print(f"figure7.py: {error}", file=sys.stderr)
         return 1
-    from figure7_panels import draw  # matplotlib only where there is something to draw
-    draw(table, options.output)
+    from report.figures.sequence import draw_signals  # matplotlib only where there is something to draw
+    draw_signals(table, options.output)
     return 0
 
 

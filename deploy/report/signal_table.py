@@ -5,16 +5,17 @@ from dataclasses import dataclass
 from pathlib import Path
 from typing import Dict, List, Sequence
 
+from .failure import ReportError
+
 # Slots of the left legs' joints in position_rad (idl/scarab/header.idl).
 JOINT_SLOTS = {"TL0": 0, "TL1": 1, "TL2": 2, "CL0": 6, "CL1": 7, "CL2": 8}
 _SIGNALS = ("bs_rad", "bs_threshold_rad", "as_rad", "as_threshold_rad")
-_STATES = ("IDLE", "APPROACH", "CLIMB", "MODE_1", "MODE_2", "DONE", "FAILED", "SAFE_STOP")
+_STATES = ("IDLE", "APPROACH", "CLIMB", "MODE_1", "MODE_2", "DONE", "FAILED", "SAFE_STOP",
+           "MANUAL")
 _MODES = ("STOP", "FORWARD", "BACKWARD", "SOFT_PUSH", "BOXING", "STATIONARY", "HARD_PUSH")
+_POSITIONS = {f"{joint}_rad": f"position_rad[{slot}]" for joint, slot in JOINT_SLOTS.items()}
 _COLUMNS = ("time_s", "state", "mode", *_SIGNALS, *(f"{joint}_rad" for joint in JOINT_SLOTS))
-
-
-class SignalTableError(Exception):
-    """A table without the columns or rows that the figure needs."""
+Row = Dict[str, str]
 
 
 @dataclass(frozen=True)
@@ -29,9 +30,13 @@ class SignalTable:
 
 def join_tables(behaviour: Path, robot_state: Path) -> SignalTable:
     """Joins the samples of both topics by simulated time."""
-    joints = {f"{joint}_rad": f"position_rad[{slot}]" for joint, slot in JOINT_SLOTS.items()}
     decided = _read_rows(behaviour, ["header.sim_time_ns", "state", "mode", *_SIGNALS])
-    measured = _read_rows(robot_state, ["header.sim_time_ns", *joints.values()])
+    measured = _read_rows(robot_state, ["header.sim_time_ns", *_POSITIONS.values()])
+    return joined(decided, measured, f"{behaviour} and {robot_state}")
+
+
+def joined(decided: Sequence[Row], measured: Sequence[Row], origin: str) -> SignalTable:
+    """Rows of scarab/behaviour with those of scarab/robot_state at the same time."""
     at_time = {int(row["header.sim_time_ns"]): row for row in measured}
     rows = []
     for row in decided:
@@ -43,9 +48,9 @@ def join_tables(behaviour: Path, robot_state: Path) -> SignalTable:
             "state": _named(row["state"], "BEHAVIOUR_", _STATES),
             "mode": _named(row["mode"], "MODE_", _MODES),
             **{name: row[name] for name in _SIGNALS},
-            **{name: at_time[time_ns][column] for name, column in joints.items()},
+            **{name: at_time[time_ns][column] for name, column in _POSITIONS.items()},
         })
-    return _table(rows, f"{behaviour} and {robot_state} have no tick in common")
+    return _table(rows, f"{origin} have no tick in common")
 
 
 def read_table(file: Path) -> SignalTable:
@@ -67,13 +72,13 @@ def _read_rows(file: Path, columns: Sequence[str]) -> List[Dict[str, str]]:
         reader = csv.DictReader(source)
         missing = [name for name in columns if name not in (reader.fieldnames or [])]
         if missing:
-            raise SignalTableError(f"{file} has no column {', '.join(missing)}")
+            raise ReportError(f"{file} has no column {', '.join(missing)}")
         return list(reader)
 
 
 def _table(rows: List[Dict[str, object]], complaint: str) -> SignalTable:
     if not rows:
-        raise SignalTableError(complaint)
+        raise ReportError(complaint)
     try:
         rows = sorted(rows, key=lambda row: float(row["time_s"]))
         return SignalTable(
@@ -81,7 +86,7 @@ def _table(rows: List[Dict[str, object]], complaint: str) -> SignalTable:
             [str(row["mode"]) for row in rows],
             {name: [float(row[name]) for row in rows] for name in _COLUMNS[3:]})
     except ValueError as error:
-        raise SignalTableError(f"a value is no number: {error}") from None
+        raise ReportError(f"a value is no number: {error}") from None
 
 
 def _named(value: str, prefix: str, names: Sequence[str]) -> str:

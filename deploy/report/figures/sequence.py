@@ -1,17 +1,17 @@
-"""The panels of Fig. 7, from a SignalTable."""
+"""Fig. 7: what the robot felt and did while it moved its object."""
 
 import math
 from dataclasses import dataclass
 from pathlib import Path
 from typing import List
 
-import matplotlib
+import matplotlib.pyplot as plt
+from matplotlib.axes import Axes
 
-matplotlib.use("Agg")
-import matplotlib.pyplot as plt  # noqa: E402
-from matplotlib.axes import Axes  # noqa: E402
-
-from signal_table import JOINT_SLOTS, SignalTable  # noqa: E402
+from ..behaviour_signals import behaviour_signals
+from ..experiment import Experiment
+from ..signal_table import JOINT_SLOTS, SignalTable
+from .style import PAGE, journal_style, save
 
 # Tints of the Okabe-Ito palette: apart for colour-blind readers, and each lighter or darker than its
 # neighbours when printed in grey.
@@ -19,10 +19,6 @@ _TINTS = {"APPROACH": "#f4f4f4", "CLIMB": "#cfe3f3", "MODE_1": "#fdeecb", "MODE_
           "DONE": "#ffffff", "FAILED": "#f3d3c4", "SAFE_STOP": "#f3d3c4", "IDLE": "#ffffff"}
 _LINE, _THRESHOLD, _EDGE = "#0b3c5d", "#b3401a", "#8a8a8a"
 _SHORT_SPAN_SHARE = 0.07  # of the time axis: a narrower span has its label upright
-_STYLE = {"font.size": 8.5, "font.family": "DejaVu Sans", "axes.linewidth": 0.6,
-          "axes.spines.top": False, "axes.spines.right": False, "svg.hashsalt": "scarab-figure7",
-          "svg.fonttype": "path", "xtick.major.width": 0.6, "ytick.major.width": 0.6}
-
 
 @dataclass(frozen=True)
 class Span:
@@ -57,12 +53,18 @@ def spans(table: SignalTable) -> List[Span]:
     return found
 
 
-def draw(table: SignalTable, prefix: Path) -> None:
+def draw(experiment: Experiment, prefix: Path) -> List[Path]:
+    """Of the trial that behaviour_signals chooses."""
+    trial, table = behaviour_signals(experiment)
+    return draw_signals(table, prefix, f"{trial.strategy}, obstacle {100 * trial.height_m:g} cm, seed {trial.seed}")
+
+
+def draw_signals(table: SignalTable, prefix: Path, note: str = "") -> List[Path]:
     """Writes <prefix>.svg and <prefix>.png; equal tables give equal files."""
-    with plt.rc_context(_STYLE):
+    with journal_style():
         names = ["BS", "AS", *JOINT_SLOTS]
         figure, axes = plt.subplots(
-            len(names), 1, sharex=True, figsize=(7.6, 8.6),
+            len(names), 1, sharex=True, figsize=(PAGE, 8.2),
             gridspec_kw={"height_ratios": [1.5, 1.5] + [1.0] * len(JOINT_SLOTS), "hspace": 0.22})
         behaviours = spans(table)
         for axis in axes:
@@ -76,9 +78,9 @@ def draw(table: SignalTable, prefix: Path) -> None:
         axes[-1].set_xlim(table.time_s[0], max(table.time_s[-1], table.time_s[0] + 0.1))
         figure.align_ylabels(axes)
         figure.subplots_adjust(left=0.11, right=0.98, top=0.93, bottom=0.06)
-        figure.savefig(prefix.with_suffix(".svg"), metadata={"Date": None})
-        figure.savefig(prefix.with_suffix(".png"), dpi=160, metadata={"Software": None})
-        plt.close(figure)
+        if note:
+            figure.text(0.01, 0.005, note, fontsize=6.5, color=_EDGE)
+        return save(figure, prefix)
 
 
 def _draw_trigger(axis: Axes, table: SignalTable, signal: str, name: str, meaning: str) -> None:

@@ -1,0 +1,37 @@
+"""Further than the paper: soft+hard, one parameter set, held-out seeds."""
+
+from ..experiment import Experiment
+from ..wording import counted, failures, shown_height
+from .finding import Finding, Source, Verdict, graded
+
+STRATEGY = "soft+hard"
+AIMS = ((0.12, 38 / 40), (0.14, 20 / 40))  # up to this height at least this share
+
+
+def aim_at(height_m: float) -> "float | None":
+    """Share that is aimed at; None where nothing is."""
+    if 0 < height_m <= AIMS[0][0]:
+        return AIMS[0][1]
+    return AIMS[1][1] if height_m == AIMS[1][0] else None
+
+
+def up_to_12_cm(experiment: Experiment) -> Finding:
+    cells = [cell for cell in experiment.of(STRATEGY) if 0 < cell.key.height_m <= AIMS[0][0]]
+    met = [cell.share >= AIMS[0][1] for cell in cells]
+    missed = [cell for cell, good in zip(cells, met) if not good]
+    return Finding("up_to_12_cm", "Soft then hard pushing succeeds in at least 38 of 40 trials at every height up to 12 cm.",
+                   graded(met), [f"{shown_height(cell.key.height_m)}: {counted(cell)}" for cell in cells],
+                   "; ".join(f"at {shown_height(cell.key.height_m)}: {failures([cell])}" for cell in missed), Source.AIM)
+
+
+def at_14_cm(experiment: Experiment) -> Finding:
+    cell = experiment.at(STRATEGY, AIMS[1][0])
+    statement = "At 14 cm it succeeds in at least 20 of 40 trials."
+    if cell is None:
+        return Finding("at_14_cm", statement, Verdict.OPEN, [], source=Source.AIM)
+    good = cell.share >= AIMS[1][1]
+    return Finding("at_14_cm", statement, graded([good]), [counted(cell)],
+                   "" if good else failures([cell]), Source.AIM)
+
+
+FINDINGS = (up_to_12_cm, at_14_cm)

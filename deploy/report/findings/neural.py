@@ -1,0 +1,98 @@
+"""Findings on the network: CPG (Fig. 2), PSN (Fig. 3), VRN (Fig. 4)."""
+
+import math
+from typing import Dict, List
+
+from ..experiment import Experiment
+from ..neural import TABLE_ROWS, Recording, recording, table_recordings
+from ..oscillation import Orbit, amplitude, correlation, offset, orbit
+from ..psn_row import switching
+from .finding import Finding, Verdict, graded
+
+_CLOSED = 0.02  # of the mean radius: how far a state may lie off the curve through its neighbours
+_REPEATED = 1e-9  # of the mean radius: two states this near are the same state
+_SAME = 0.02  # of the larger amplitude: two outputs this alike are the same
+_INVERTED = ("table-soft-push", "table-boxing", "table-hard-push")
+
+
+def cpg_oscillates(experiment: Experiment) -> Finding:
+    _, found, c1, c2 = cpg(experiment)
+    quarter = math.degrees(math.acos(max(-1.0, min(1.0, correlation(c1, c2)))))
+    met = [min(amplitude(c1), amplitude(c2)) > 0.5, abs(quarter - 90) < 10]
+    return Finding("cpg_periodic", "The two neurons of the CPG swing with one period, one behind the other.", graded(met), [
+        f"period {found.period_ticks:.2f} ticks, {found.period_ticks / 10:.3f} s at 10 Hz",
+        f"amplitude {amplitude(c1):.3f} (C1), {amplitude(c2):.3f} (C2)", f"{quarter:.0f}° between them"])
+
+
+def cpg_quasi_periodic(experiment: Experiment) -> Finding:
+    _, found, c1, _ = cpg(experiment)
+    closed, repeats = found.scatter < _CLOSED, found.nearest_return < _REPEATED
+    reasons = [] if closed else ["the states do not lie on one closed curve"]
+    reasons += ["states repeat, so the orbit is periodic"] if repeats else []
+    return Finding("cpg_quasi_periodic", "In phase space the CPG has a quasi-periodic attractor: a closed curve that it "
+                   "never repeats on.", graded([closed, not repeats]), [
+                       f"{len(c1)} states lie within {100 * found.scatter:.2f} % of one closed curve",
+                       f"the nearest two are {found.nearest_return:.1e} of the radius apart: none repeats"
+                       if not repeats else "states repeat"], "; ".join(reasons))
+
+
+def cpg(experiment: Experiment) -> "tuple[Recording, Orbit, List[float], List[float]]":
+    found = recording(experiment, experiment.strategies[0])
+    c1, c2 = found.settled("C1"), found.settled("C2")
+    return found, orbit(c1, c2), c1, c2
+
+
+def psn_rows(experiment: Experiment) -> Finding:
+    met, numbers, wrong = [], [], []
+    for found in table_recordings(experiment):
+        seen = switching(found, "PSN1")
+        expected = "invert" if found.strategy in _INVERTED else "pass"
+        met.append(seen.word == expected)
+        numbers.append(f"{found.row}: {seen.word} (correlation of P13 {seen.p13:+.3f}, of P14 {seen.p14:+.3f})")
+        if not met[-1]:
+            wrong.append(f"{found.row} should {expected}")
+    if len(met) < len(TABLE_ROWS):
+        wrong.append(f"{len(met)} of {len(TABLE_ROWS)} rows were run")
+    return Finding("psn_rows", "PSN1 passes its inputs on for (I1, I2) = (1, 1) and (0, 1), and inverts them for (1, -1), "
+                   "(-1, -1) and (1, 0).", graded(met), numbers, "; ".join(wrong))
+
+
+def psn_amplitude(experiment: Experiment) -> Finding:
+    sizes = {module: [switching(found, module).amplitude for found in table_recordings(experiment)]
+             for module in ("PSN1", "PSN2", "PSN3", "PSN4")}
+    return Finding("psn_amplitude", "The PSN keep the form of their inputs and an amplitude as high as possible, between "
+                   "-0.5 and +0.5.", graded([max(size) <= 0.5 for size in sizes.values()]),
+                   [f"{module}: amplitude {min(size):.2f} to {max(size):.2f}" for module, size in sizes.items()])
+
+
+def vrn_order(experiment: Experiment) -> Finding:
+    of = _amplitudes(experiment, "VRN1.V7")
+    statement = ("VRN1 sets the amplitude of the hind legs' C-joints by the action: full for walking and for hard pushing, "
+                 "less for boxing, least for soft pushing (from the paper's equations of V1, w9 and w10).")
+    if len(of) < len(TABLE_ROWS):
+        return Finding("vrn_order", statement, Verdict.OPEN, [f"{len(of)} of {len(TABLE_ROWS)} rows were run"])
+    soft, boxing, hard = (of[name] for name in _INVERTED)
+    full = min(of["table-forward"], of["table-backward"], hard)
+    alike = max(of["table-forward"], of["table-backward"], hard) - full < _SAME * full
+    return Finding("vrn_order", statement, graded([alike, full > boxing > soft]),
+                   [f"{TABLE_ROWS[name]}: {value:.3f}" for name, value in of.items()],
+                   "" if alike else "walking and hard pushing differ")
+
+
+def vrn_offsets(experiment: Experiment) -> Finding:
+    rows = {found.strategy: offset(found.settled("VRN1.V7")) for found in table_recordings(experiment)}
+    soft = rows.pop("table-soft-push", None)
+    met = [] if soft is None or not rows else [abs(soft) < min(map(abs, rows.values()))]
+    numbers = [f"soft pushing: {soft:+.4f}"] if soft is not None else []
+    return Finding("vrn_offsets", "The bias b3 of VRN1 is 0.02 for all actions but soft pushing, where it is 0: all but "
+                   "soft pushing swing about a middle above 0.", graded(met),
+                   numbers + [f"{TABLE_ROWS[name]}: {value:+.4f}" for name, value in rows.items()])
+
+
+def _amplitudes(experiment: Experiment, neuron: str) -> Dict[str, float]:
+    return {found.strategy: amplitude(found.settled(neuron)) for found in table_recordings(experiment)}
+
+
+CPG = (cpg_oscillates, cpg_quasi_periodic)
+PSN = (psn_rows, psn_amplitude)
+VRN = (vrn_order, vrn_offsets)

@@ -1,0 +1,119 @@
+"""The paper's second experiment: across an obstacle (Fig. 6)."""
+
+from dataclasses import dataclass
+from typing import Callable, List, Optional, Tuple
+
+from ..exact_tests import shown_p, sign_p
+from ..experiment import Experiment
+from ..intervals import mean
+from ..trial import Trial
+from ..wording import centimetres, counted, failures, percent, shown_height
+from .finding import HALF, Finding, Verdict, does_the_job, graded
+
+BASES = ("soft", "boxing", "stationary")
+COMBINATIONS = tuple(f"{base}+hard" for base in BASES)
+_PAPER_HIGHEST_M = 0.10
+_BEST = "soft+hard"
+
+
+@dataclass(frozen=True)
+class Pairs:
+    """Trials of two strategies at the same height and from the same seed."""
+
+    of: List[Tuple[Trial, Trial]]
+
+    def won(self, better: Callable[[Trial, Trial], bool]) -> Tuple[int, int]:
+        """How many pairs the first one wins, how many the second one."""
+        return sum(better(a, b) for a, b in self.of), sum(better(b, a) for a, b in self.of)
+
+
+def pairs(experiment: Experiment, first: str, second: str) -> Pairs:
+    def by_start(strategy: str) -> dict:
+        return {(cell.key.height_m, trial.asked.seed): trial
+                for cell in experiment.of(strategy) for trial in cell.trials}
+
+    a, b = by_start(first), by_start(second)
+    return Pairs([(a[start], b[start]) for start in sorted(a.keys() & b.keys())])
+
+
+def combinations_beat_single(experiment: Experiment) -> Finding:
+    statement = "Each mode does better across the obstacle when hard pushing follows than alone."
+    met, numbers, reasons = [], [], []
+    for base, combination in zip(BASES, COMBINATIONS):
+        found = pairs(experiment, combination, base)
+        if not found.of:
+            continue
+        won, lost = found.won(lambda a, b: a.success and not b.success)
+        totals = [sum(pair[i].success for pair in found.of) for i in (0, 1)]
+        met.append(totals[0] > totals[1])
+        numbers.append(f"{combination} {totals[0]}/{len(found.of)}, {base} alone {totals[1]}/{len(found.of)}; of the "
+                       f"pairs that differ {won} to {lost} ({shown_p(sign_p(won, lost))}, exact sign test)")
+        if not met[-1]:
+            kinds = failures(experiment.of(combination))
+            reasons.append(f"{combination} is no better than {base} alone" + (f"; it fails by: {kinds}" if kinds else ""))
+    return Finding("combinations_beat_single", statement, graded(met), numbers, "; ".join(reasons))
+
+
+def soft_hard_fastest(experiment: Experiment) -> Finding:
+    statement = "Of the combinations, soft then hard pushing takes the least time."
+    met, numbers, reasons = [], [], []
+    for rival in COMBINATIONS:
+        found = pairs(experiment, _BEST, rival) if rival != _BEST else Pairs([])
+        both = Pairs([(a, b) for a, b in found.of if a.success and b.success])
+        if not both.of:
+            if found.of:
+                numbers.append(f"{rival}: no start from which both succeed")
+            continue
+        won, lost = both.won(lambda a, b: a.time_s < b.time_s)
+        later = mean([b.time_s - a.time_s for a, b in both.of])
+        met.append(later > 0)
+        numbers.append(f"against {rival}: {later:+.1f} s in the mean over {len(both.of)} starts from which both "
+                       f"succeed, faster in {won}, slower in {lost} ({shown_p(sign_p(won, lost))}, exact sign test)")
+        if not met[-1]:
+            reasons.append(f"{rival} is faster from the same starts")
+    return Finding("soft_hard_fastest", statement, graded(met), numbers, "; ".join(reasons))
+
+
+def up_to_10_cm(experiment: Experiment) -> Finding:
+    met, numbers, reasons = [], [], []
+    for combination in COMBINATIONS:
+        at_limit = experiment.at(combination, _PAPER_HIGHEST_M)
+        if at_limit is None:
+            continue
+        met.append(does_the_job(at_limit))
+        numbers.append(f"{combination} at 10 cm: {counted(at_limit)}; highest with at least half: "
+                       f"{_shown(highest(experiment, combination))}")
+        if not met[-1]:
+            reasons.append(f"{combination} fails at 10 cm by: {failures([at_limit])}")
+    numbers += [f"{base} alone: highest with at least half: {_shown(highest(experiment, base))}"
+                for base in BASES if experiment.of(base)]
+    return Finding("up_to_10_cm", "The combinations bring the object across obstacles of up to 10 cm (judged here: in at "
+                   "least half of the trials at 10 cm).", graded(met), numbers if met else [], "; ".join(reasons))
+
+
+def beyond_10_cm(experiment: Experiment) -> Finding:
+    """Of heights that the paper did not try, or did not reach."""
+    numbers = []
+    for strategy in (*COMBINATIONS, *BASES):
+        higher = [cell for cell in experiment.of(strategy) if cell.key.height_m > _PAPER_HIGHEST_M]
+        if higher:
+            numbers.append(f"{strategy}: " + ", ".join(
+                f"{cell.count} at {shown_height(cell.key.height_m)}" for cell in higher))
+    reached = [combination for combination in COMBINATIONS
+               if (highest(experiment, combination) or 0) > _PAPER_HIGHEST_M]
+    verdict = Verdict.OPEN if not numbers else Verdict.DIFFERS if reached else Verdict.AGREES
+    return Finding("limit_10_cm", "10 cm is the highest obstacle; the tests went up to 11 cm.", verdict, numbers,
+                   f"Scarab goes higher: {', '.join(reached)} cross more than 10 cm in at least {percent(HALF)} "
+                   "of the trials" if reached else "")
+
+
+def highest(experiment: Experiment, strategy: str) -> Optional[float]:
+    """The highest obstacle that is crossed in at least half of the trials; None for none."""
+    return max((cell.key.height_m for cell in experiment.of(strategy) if does_the_job(cell)), default=None)
+
+
+def _shown(height_m: Optional[float]) -> str:
+    return "none" if height_m is None else f"{centimetres(height_m)} cm"
+
+
+FINDINGS = (combinations_beat_single, soft_hard_fastest, up_to_10_cm, beyond_10_cm)

@@ -1,0 +1,68 @@
+"""The sequence of behaviours (Fig. 7)."""
+
+from typing import List, Optional
+
+from ..behaviour_signals import behaviour_signals
+from ..experiment import Experiment
+from ..failure import ReportError
+from ..trial import Trial
+from ..wording import failures, seconds
+from .finding import Finding, Verdict, graded
+
+_NAMES = ("climb", "mode 1", "mode 2")
+
+
+def behaviours_in_order(experiment: Experiment) -> Finding:
+    """Of the trials with two modes."""
+    trials = [trial for trial in experiment.trials if "+" in trial.asked.strategy]
+    met = [_in_order(trial) for trial in trials]
+    numbers = [f"{sum(met)}/{len(met)} trials go through all of them, in this order"] if trials else []
+    if trials:
+        numbers.append("the first trial: " + ", ".join(
+            f"{name} at {seconds(time)}" for name, time in zip(_NAMES, trials[0].behaviours_s)))
+    never = [name for i, name in enumerate(_NAMES) if any(t.behaviours_s[i] is None for t in trials)]
+    return Finding("behaviours_in_order", "The robot walks backward, climbs the object by itself, then pushes softly and at "
+                   "last hard.", graded(met), numbers,
+                   f"never entered in some trials: {', '.join(never)}" if never else "")
+
+
+def triggers(experiment: Experiment) -> Finding:
+    """The two signals at the ticks that they switch at."""
+    statement = ("The inclination signal BS starts mode 1 when it is above its threshold for some time; the joint signal AS "
+                 "starts mode 2 when it falls below its own.")
+    try:
+        _, table = behaviour_signals(experiment)
+    except ReportError as error:
+        return Finding("triggers", statement, Verdict.OPEN, [], str(error))
+    met: List[bool] = []
+    numbers: List[str] = []
+    for state, signal, above in (("MODE_1", "bs", True), ("MODE_2", "as", False)):
+        at = _entered(table.state, state)
+        if at is None:
+            met.append(False)
+            numbers.append(f"{state.replace('_', ' ').lower()} was never entered")
+            continue
+        value, threshold = table.signals[f"{signal}_rad"][at], table.signals[f"{signal}_threshold_rad"][at]
+        met.append(value > threshold if above else value < threshold)
+        numbers.append(f"{signal.upper()} is {value:.3f} rad when {state.replace('_', ' ').lower()} starts at "
+                       f"{table.time_s[at]:.1f} s; the threshold is {threshold:.3f} rad")
+    return Finding("triggers", statement, graded(met), numbers)
+
+
+def crosses(experiment: Experiment) -> Finding:
+    successes = sum(trial.success for trial in experiment.trials)
+    numbers = [f"{successes}/{len(experiment.trials)} trials succeed"] if experiment.trials else []
+    return Finding("crosses", "By this sequence the object is moved across an obstacle of 5 cm.",
+                   graded([trial.success for trial in experiment.trials]), numbers, failures(experiment.cells))
+
+
+def _in_order(trial: Trial) -> bool:
+    climb, mode1, mode2 = trial.behaviours_s
+    return None not in (climb, mode1, mode2) and climb <= mode1 < mode2 <= trial.time_s
+
+
+def _entered(states: List[str], state: str) -> Optional[int]:
+    return states.index(state) if state in states else None
+
+
+FINDINGS = (behaviours_in_order, triggers, crosses)

@@ -1,0 +1,63 @@
+"""What can be said of a signal that swings: period, amplitude, likeness to another."""
+
+import cmath
+import math
+from dataclasses import dataclass
+from typing import List, Sequence
+
+
+def amplitude(signal: Sequence[float]) -> float:
+    """Half of the span between the extremes."""
+    return (max(signal) - min(signal)) / 2
+
+
+def offset(signal: Sequence[float]) -> float:
+    """Middle of the extremes: of few periods better than the mean."""
+    return (max(signal) + min(signal)) / 2
+
+
+def correlation(a: Sequence[float], b: Sequence[float]) -> float:
+    """Pearson's coefficient; 0 where one of the two does not move."""
+    mean_a, mean_b = math.fsum(a) / len(a), math.fsum(b) / len(b)
+    product = math.fsum((x - mean_a) * (y - mean_b) for x, y in zip(a, b))
+    size = math.sqrt(math.fsum((x - mean_a) ** 2 for x in a) * math.fsum((y - mean_b) ** 2 for y in b))
+    return product / size if size > 1e-12 else 0.0
+
+
+def delayed_correlation(output: Sequence[float], source: Sequence[float], delay: int) -> float:
+    """Of the output with the source `delay` samples before."""
+    return correlation(output[delay:], source[:len(source) - delay])
+
+
+@dataclass(frozen=True)
+class Orbit:
+    """A trajectory about the origin of a plane, sampled once a tick."""
+
+    period_ticks: float
+    clockwise: bool
+    scatter: float  # largest distance of a state from the curve through its neighbours, share of the mean radius
+    nearest_return: float  # smallest distance between two states, share of the mean radius
+
+
+def orbit(x: Sequence[float], y: Sequence[float]) -> Orbit:
+    """Needs some turns about the origin; at least 30 states."""
+    states = [complex(a, b) for a, b in zip(x, y)]
+    turns = [cmath.phase(after / before) for before, after in zip(states, states[1:])]
+    advance = math.fsum(turns) / len(turns)
+    radius = math.fsum(abs(state) for state in states) / len(states)
+    nearest = min(abs(a - b) for i, a in enumerate(states) for b in states[:i])
+    return Orbit(abs(2 * math.pi / advance), advance < 0, _scatter(states) / radius, nearest / radius)
+
+
+def _scatter(states: List[complex]) -> float:
+    """Radius of each state against the one interpolated between its neighbours in angle.
+
+    A closed curve that is filled leaves almost nothing; an orbit that drifts, or noise, does.
+    """
+    around = sorted(states, key=cmath.phase)
+    worst = 0.0
+    for before, state, after in zip(around, around[1:], around[2:]):
+        span = cmath.phase(after / before)
+        share = cmath.phase(state / before) / span if span > 1e-12 else 0.5
+        worst = max(worst, abs(abs(state) - (1 - share) * abs(before) - share * abs(after)))
+    return worst

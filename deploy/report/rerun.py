@@ -1,0 +1,31 @@
+"""The command that runs one trial again."""
+
+from .trial import Conditions
+
+
+def rerun_command(trial: Conditions) -> str:
+    """One line for a shell, from the top of the source tree."""
+    words = ["deploy/scarab sim", f"--strategy {trial.strategy}", f"--height {exact(trial.height_m)}",
+             f"--goal {trial.goal}"]
+    if trial.goal in ("travel", "walk"):
+        words.append(f"--distance {exact(trial.distance_m)}")
+    words += [f"--time-limit {exact(trial.time_limit_s)}", f"--seed {trial.seed}"]
+    if trial.friction_scale != 1:
+        words.append(f"--friction-scale {exact(trial.friction_scale)}")
+    if trial.object_mass_kg:
+        words.append(f"--object-mass {exact(trial.object_mass_kg)}")
+    if trial.object_diameter_m:
+        words.append(f"--object-diameter {exact(trial.object_diameter_m)}")
+    return " ".join([*words, *_perturbation(trial)])
+
+
+def exact(number: float) -> str:
+    """The shortest text that is read back as the same number."""
+    return str(int(number)) if number == int(number) else repr(number)
+
+
+def _perturbation(trial: Conditions) -> list:
+    if not trial.perturb_cpg_phase:
+        return ["--no-perturbation"]
+    return [f"--perturb-position {exact(trial.perturb_position_m)}", f"--perturb-yaw {exact(trial.perturb_yaw_rad)}",
+            f"--perturb-friction {exact(trial.perturb_friction)}"]
