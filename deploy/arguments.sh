@@ -17,7 +17,14 @@ kind_of() {
     --seed) echo "integer 0 18446744073709551615" ;;
     --trials) echo "integer 1 100000" ;;
     --domain) echo "integer 0 230" ;;
-    --goal) echo "word across travel none" ;;
+    --perturb-position) echo "number 0 0.2" ;;
+    --perturb-yaw) echo "number 0 3.1415926535897932" ;;
+    --perturb-friction) echo "number 0 0.9" ;;
+    --friction-scale) echo "number 0.01 10" ;;
+    --object-mass) echo "number 0 100" ;;
+    --object-diameter) echo "number 0 1" ;;
+    --row) echo "row" ;;
+    --goal) echo "word across travel walk none" ;;
     --robot) echo "word $(robots)" ;;
     --strategy | --profile) echo "name" ;;
     --replicas) echo "replicas" ;;
@@ -105,6 +112,9 @@ check_value() {
     service_file)
       [[ $value =~ ^[a-z][a-z0-9_]*=. ]] || usage_error "$option: '$value' is not SERVICE=FILE"
       [ -f "${value#*=}" ] || usage_error "$option: there is no file ${value#*=}" ;;
+    row)
+      [[ $value =~ ^.+:[0-9]+$ ]] || usage_error "$option: '$value' is not FILE:N, such as results.csv:17"
+      [ -f "${value%:*}" ] || usage_error "$option: there is no file ${value%:*}" ;;
     word)
       is_one_of "$value" "$@" || usage_error "$option: unknown value '$value'; one of: $*" ;;
     integer)

@@ -5,8 +5,9 @@ import sys
 from types import ModuleType
 from typing import List, Sequence
 
-from . import (completion_verb, doctor_verb, logs_verb, operator_verbs, run_verb, sim_verb,
-               status_verb, up_verb)
+from . import (completion_verb, doctor_verb, experiment_verb, logs_verb, operator_verbs, run_verb,
+               sim_verb, status_verb, up_verb)
+from .experiments.declaration import experiment_schema
 from .failure import EXIT_FAILURE, EXIT_OK, Failure, Interrupted
 from .places import Places, default_bin, default_runs, default_stack_file
 from .stack_declaration import stack_schema
@@ -16,7 +17,9 @@ from .verbs import Verbs
 
 _EXAMPLES = """deploy/scarab run --height 0.10 --strategy soft+hard --seed 1
 deploy/scarab up && deploy/scarab run --trials 3 && deploy/scarab down
+deploy/scarab experiment obstacle
 deploy/scarab topic list"""
+_SCHEMAS = {"stack": stack_schema, "experiment": experiment_schema}  # of the files that the launcher itself reads
 
 
 def main(words: Sequence[str]) -> int:
@@ -24,7 +27,7 @@ def main(words: Sequence[str]) -> int:
     try:
         return _dispatch(list(words))
     except Interrupted as stop:
-        print("scarab: interrupted", file=sys.stderr)
+        print(f"scarab: {stop}", file=sys.stderr)
         return stop.exit_code
     except Failure as failure:
         print(f"{failure}" if failure.exit_code == 2 else f"scarab: {failure}", file=sys.stderr)
@@ -48,8 +51,10 @@ def all_verbs() -> Verbs:
     verbs.group("trials")
     run_verb.add_verb(verbs)
     sim_verb.add_verb(verbs)
+    experiment_verb.add_verb(verbs)
     verbs.group("the robot, while a trial runs")
     operator_verbs.add_verbs(verbs)
+    verbs.add_tool("search", "scarab-search", "search for parameters: run, evaluate, write")
     verbs.group("looking on, and files")
     verbs.add_tool("topic", "scarab-topic", "list, echo and measure the topics of any DDS system",
                    bus_of)
@@ -65,8 +70,8 @@ def _dispatch(words: List[str]) -> int:
     places = Places(default_bin(), default_runs(), default_stack_file())
     if words and words[0] == completion_verb.ASK:
         return completion_verb.answer(words[1:], verbs, places)
-    if words == ["config", "schema", "stack"]:  # the one file that the launcher itself reads
-        print(stack_schema(), end="")
+    if words[:2] == ["config", "schema"] and len(words) == 3 and words[2] in _SCHEMAS:
+        print(_SCHEMAS[words[2]](), end="")
         return EXIT_OK
     if words and words[0] in verbs.tools:  # their options are theirs to read
         return hand_on(verbs.tools[words[0]], words[1:], places)

@@ -26,6 +26,10 @@ class DomainClaim:
             raise Failure(f"DDS domain {domain} is in use by another stack of this machine: "
                           "stop it (scarab down), or choose another one with --domain N") from None
 
+    @property
+    def descriptor(self) -> int:
+        return self._socket.fileno()
+
     def release(self) -> None:
         self._socket.close()
 

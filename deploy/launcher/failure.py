@@ -32,5 +32,5 @@ class Interrupted(Failure):
 
     exit_code = EXIT_INTERRUPTED
 
-    def __init__(self) -> None:
-        super().__init__("interrupted")
+    def __init__(self, text: str = "interrupted") -> None:
+        super().__init__(text)

@@ -8,8 +8,9 @@ import time
 import traceback
 from contextlib import suppress
 from pathlib import Path
-from typing import Callable, Iterator, List, Optional
+from typing import Callable, Iterable, Iterator, List, Optional
 
+from .domain_claim import DomainClaim
 from .failure import Failure
 from .keeper_events import Event
 from .process_identity import ProcessIdentity
@@ -36,7 +37,16 @@ class KeeperLine:
         """Waits for a signal, an event, or the time; then what the keeper has said so far."""
         readable = [] if self._ended else [self._read_end]
         signals.wait(timeout_s, readable)
+        return self.new_events()
+
+    def new_events(self) -> List[Event]:
+        """What the keeper has said so far, without waiting."""
         return list(self._take())
+
+    @property
+    def descriptor(self) -> int:
+        """Readable when the keeper has said something, or is gone."""
+        return self._read_end
 
     @property
     def ended(self) -> bool:
@@ -47,16 +57,21 @@ class KeeperLine:
         """The keeper stays behind when the launcher ends."""
         os.close(self._read_end)
 
+    def ask_to_stop(self) -> None:
+        """Without waiting; to be followed by stop()."""
+        self._signal(signal.SIGTERM)
+
     def stop(self, signals: Signals) -> List[Event]:
         """Asks it to stop the stack and waits until it has. Returns its last events."""
         events: List[Event] = []
         deadline = time.monotonic() + self._patience_s
-        self._signal(signal.SIGTERM)
+        self.ask_to_stop()
         while not self._ended and time.monotonic() < deadline:
             events += self.events(signals, deadline - time.monotonic())
         if not self._ended:
             self._signal(signal.SIGKILL)  # its services get SIGTERM from the kernel with it
         os.waitpid(self._pid, 0)
+        os.close(self._read_end)
         return events
 
     def _signal(self, number: int) -> None:
@@ -76,9 +91,9 @@ class KeeperLine:
 
 
 def fork_keeper(body: Callable[[Report, Signals], int], directory: RunDirectory, attached: bool,
-                patience_s: float) -> KeeperLine:
+                patience_s: float, claim: DomainClaim) -> KeeperLine:
     """Runs `body` in a forked process whose output goes to the launcher's log, and its events to a
-    file beside it.
+    file beside it. Of the launcher's open files it has the claim alone.
 
     An attached keeper stops its stack when the launcher dies; a detached one stays.
     """
@@ -96,8 +111,8 @@ def fork_keeper(body: Callable[[Report, Signals], int], directory: RunDirectory,
         return KeeperLine(pid, read_end, patience_s)
     code = 1
     try:
-        os.close(read_end)
         os.setsid()
+        _close_all_but((0, 1, 2, write_end, claim.descriptor))
         signals = Signals()
         signal.pthread_sigmask(signal.SIG_SETMASK, unblocked)
         if attached:
@@ -109,6 +124,16 @@ def fork_keeper(body: Callable[[Report, Signals], int], directory: RunDirectory,
     finally:
         sys.stderr.flush()
         os._exit(code)
+
+
+def _close_all_but(kept: Iterable[int]) -> None:
+    """Locks and lines to other processes are the launcher's: they must end with it."""
+    first = 0
+    for descriptor in sorted(kept):
+        if first < descriptor:  # an empty range would close everything (Python 3.11)
+            os.closerange(first, descriptor)
+        first = descriptor + 1
+    os.closerange(first, os.sysconf("SC_OPEN_MAX"))
 
 
 def _redirect_output(log_file: Path) -> None:

@@ -2,7 +2,8 @@
 
 import os
 from dataclasses import dataclass, replace
-from typing import Callable, List
+from pathlib import Path
+from typing import Callable, Dict, List
 
 from .domain_claim import DomainClaim
 from .failure import Failure
@@ -23,8 +24,17 @@ _KEEPER_MARGIN_S = 10.0
 
 
 @dataclass(frozen=True)
+class Checked:
+    """A stack whose services have accepted their files, and what a run of it is recorded with."""
+
+    stack: Stack
+    texts: Dict[str, str]  # file name -> resolved configuration
+    version: str
+
+
+@dataclass(frozen=True)
 class Launched:
-    """A stack whose services here are ready, and the line to its keeper."""
+    """A stack with its keeper, and the line to that."""
 
     run: StackRun
     keeper: KeeperLine
@@ -37,25 +47,39 @@ def launch(places: Places, stack: Stack, claim: DomainClaim, pace: Pace, kind: K
     UsageError before anything is started where a service refuses its configuration; Failure where the
     stack does not come up, Interrupted on a request to stop: then everything has been stopped again.
     """
-    check_configuration(places, stack)
-    texts = resolved_configuration(places, stack)
-    waiter = places.program("scarab-status")
-    version = source_version(places.root)
+    checked = check(places, stack)
     signals.raise_if_stop_requested()
+    launched = begin(places, checked, claim, pace, kind, places.runs)
+    _wait_until_ready(launched, signals)
+    return launched
+
+
+def check(places: Places, stack: Stack) -> Checked:
+    """UsageError where a service refuses its configuration, Failure where a program is not built."""
+    check_configuration(places, stack)
+    return Checked(stack, resolved_configuration(places, stack), source_version(places.root))
+
+
+def begin(places: Places, checked: Checked, claim: DomainClaim, pace: Pace, kind: Kind,
+          directories: Path) -> Launched:
+    """Starts the keeper, which reports "ready" or "failed"; nothing is waited for.
+
+    The run directory is a new one in `directories`. The claim is the keeper's from here on.
+    """
+    stack = checked.stack
+    waiter = places.program("scarab-status")
     run = StackRun(stack, Bus(claim.domain, stack.interface, stack.tag, stack.peers), pace,
-                   create_run_directory(places.runs))
+                   create_run_directory(directories))
     run.directory.make_rooms()
-    write_configuration(run.directory, stack, texts)
-    record_stack_run(run, version)
+    write_configuration(run.directory, stack, checked.texts)
+    record_stack_run(run, checked.version)
     wait_ready = [str(waiter), *run.bus.arguments(), "--wait", stack.expected_here(),
                   "--timeout", f"{stack.ready_s:g}"]
     patience_s = sum(p.service.stop_s for p in stack.processes()) + _KEEPER_MARGIN_S
     keeper = fork_keeper(_keeper_body(places, run, kind, wait_ready),
-                         run.directory, kind is Kind.RUN, patience_s)
-    claim.release()  # the keeper holds it from here on
-    launched = Launched(run, keeper)
-    _wait_until_ready(launched, signals)
-    return launched
+                         run.directory, kind is Kind.RUN, patience_s, claim)
+    claim.release()
+    return Launched(run, keeper)
 
 
 def _keeper_body(places: Places, run: StackRun, kind: Kind,

@@ -20,12 +20,14 @@ from .stack_file import read_stack
 from .stack_options import DEFAULT_PROFILE, add_pace_options, add_stack_options, changes_of
 from .strategies import check_strategy, strategies_of, strategies_of_running
 from .trial_options import add_trial_options, check_trial
+from .trial_row import fill_from_row, note_other_configuration
 from .verbs import Verbs
 
 _MORE = """It uses the stack that is up, at that stack's pace, and leaves it up; without one it starts a stack
 for this run and stops it afterwards. The log, the results and a figure are left in runs/latest."""
 _EXAMPLES = """deploy/scarab run --height 0.08 --strategy boxing+hard --seed 3
 deploy/scarab run --trials 10 --replicas premotor=2
+deploy/scarab run --row runs/experiments/obstacle/results.csv:17 --realtime
 deploy/scarab run --realtime --config plant=my-plant.yaml"""
 
 
@@ -43,6 +45,7 @@ def add_verb(verbs: Verbs) -> None:
 def run(options: argparse.Namespace, places: Places) -> int:
     """Exit code of the experiment: 0 if all trials succeeded."""
     signals = Signals()
+    fill_from_row(options)
     check_trial(options)
     places.program("scarab-experiment")
     running = _lasting_stack(places.runs, options.domain)
@@ -57,6 +60,7 @@ def _run_on_its_own(options: argparse.Namespace, places: Places, signals: Signal
                        changes_of(options))
     if options.strategy is not None:
         check_strategy(options.strategy, strategies_of(stack, places))
+    note_other_configuration(options, stack, places)
     # The other host of a divided stack has to know the domain beforehand.
     wanted = 0 if options.domain is None and stack.elsewhere else options.domain
     kind = Kind.LASTING if options.keep else Kind.RUN

@@ -14,13 +14,15 @@ from .stack_options import DEFAULT_PROFILE, add_data_options, changes_of
 from .strategies import check_strategy, strategies_of
 from .tool_verbs import become
 from .trial_options import add_trial_options, check_trial, trial_arguments
+from .trial_row import fill_from_row, note_other_configuration
 from .verbs import Verbs
 
 _SIMULATED = ("plant", "premotor", "supervisor")
 _MORE = """The same samples as of a stack in lockstep, byte for byte, without DDS: for many trials, and for a
 debugger. It writes its log to a new run directory, or to --output."""
 _EXAMPLES = """deploy/scarab sim --height 0.08 --seed 3
-deploy/scarab sim --trials 20 --robot beetle --results table.csv"""
+deploy/scarab sim --trials 20 --robot beetle --results table.csv
+deploy/scarab sim --row runs/experiments/obstacle/results.csv:17"""
 
 
 def add_verb(verbs: Verbs) -> None:
@@ -37,9 +39,11 @@ def add_verb(verbs: Verbs) -> None:
 def simulate(options: argparse.Namespace, places: Places) -> NoReturn:
     """Becomes scarab-sim with the files of the stack's profile `sim`."""
     stack = read_stack(places.stack_file, DEFAULT_PROFILE, places.root, changes_of(options))
+    fill_from_row(options)
     check_trial(options)
     if options.strategy is not None:
         check_strategy(options.strategy, strategies_of(stack, places))
+    note_other_configuration(options, stack, places)
     command = [str(places.program("scarab-sim")), *_configuration(stack), *trial_arguments(options)]
     outputs = {"--output": options.output, "--results": options.results}
     if options.output is None:

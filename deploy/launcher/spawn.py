@@ -29,9 +29,9 @@ def die_with_parent(parent: int) -> None:
 
 
 def spawn(command: Sequence[Union[str, Path]], stdout: Output = None, stderr: Output = None,
-          cwd: Optional[Path] = None) -> subprocess.Popen:
+          cwd: Optional[Path] = None, stdin: Output = subprocess.DEVNULL) -> subprocess.Popen:
     """In a session of its own: Ctrl-C in the terminal reaches the launcher only."""
     parent = os.getpid()
-    return subprocess.Popen([str(word) for word in command], stdin=subprocess.DEVNULL,
+    return subprocess.Popen([str(word) for word in command], stdin=stdin,
                             stdout=stdout, stderr=stderr, cwd=cwd, env=clean_environment(),
                             start_new_session=True, preexec_fn=lambda: die_with_parent(parent))

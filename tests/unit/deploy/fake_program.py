@@ -83,9 +83,9 @@ def status():
     while order("hold"):
         time.sleep(0.01)
     services = [part.split("=")[0] for part in value_of("--wait").split(",") if part]
-    if order("never-ready") is None and wait_until(
-            lambda: all(up_file(f"scarab-{s}").exists() for s in services),
-            float(value_of("--timeout", "1"))):
+    all_up = wait_until(lambda: all(up_file(f"scarab-{s}").exists() for s in services),
+                        float(value_of("--timeout", "1")))
+    if all_up and order("never-ready") is None:
         return 0
     print("a table")
     missing = [s for s in services if not up_file(f"scarab-{s}").exists()] or ["premotor"]

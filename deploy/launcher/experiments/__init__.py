@@ -1,0 +1,1 @@
+"""Named experiments: what is planned, who runs it, and what is kept of it."""

@@ -1,0 +1,63 @@
+"""How far an experiment is: one line of a terminal, or a line of a file now and then."""
+
+import shutil
+import time
+from typing import Callable, Optional, TextIO
+
+from .estimate import Estimate, duration
+
+_BAR = 24
+_TERMINAL_EVERY_S = 0.2
+_FILE_EVERY_S = 10.0
+
+
+class Progress:
+    """Of `total` trials, of which `done` have been done before."""
+
+    def __init__(self, name: str, total: int, done: int, successes: int, estimate: Estimate, stream: TextIO,
+                 clock: Callable[[], float] = time.monotonic):
+        self._name = name
+        self._total = total
+        self._done = done
+        self._successes = successes
+        self._estimate = estimate
+        self._stream = stream
+        self._terminal = stream.isatty()
+        self._clock = clock
+        self._shown_at: Optional[float] = None
+
+    def add(self, success: bool) -> None:
+        """A trial has been done."""
+        self._done += 1
+        self._successes += success
+
+    def show(self) -> None:
+        """If the last time is long enough ago."""
+        every_s = _TERMINAL_EVERY_S if self._terminal else _FILE_EVERY_S
+        if self._shown_at is not None and self._clock() - self._shown_at < every_s:
+            return
+        self._write()
+
+    def finish(self) -> None:
+        """The last state, which stays."""
+        self._write()
+        if self._terminal:
+            print(file=self._stream, flush=True)
+
+    def text(self) -> str:
+        filled = _BAR * self._done // self._total if self._total else _BAR
+        parts = [f"{self._name} [{'=' * filled:{_BAR}}] {self._done}/{self._total}", f"{self._successes} succeeded"]
+        if self._estimate.speed is not None:
+            parts.append(f"{self._estimate.speed:.0f} x real time")
+        left_s = self._estimate.left_s()
+        if self._done < self._total:
+            parts.append(f"{duration(left_s)} left" if left_s is not None else "starting")
+        return ", ".join(parts)
+
+    def _write(self) -> None:
+        self._shown_at = self._clock()
+        if self._terminal:
+            width = shutil.get_terminal_size().columns - 1
+            print(f"\r\033[K{self.text()[:width]}", end="", file=self._stream, flush=True)
+        else:
+            print(self.text(), file=self._stream, flush=True)
