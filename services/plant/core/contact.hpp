@@ -13,6 +13,8 @@ namespace scarab::plant {
 /// Body index of ground and obstacle, which do not move.
 inline constexpr std::size_t kWorldBody = kBodyCount;
 
+constexpr bool is_leg(Solid solid) { return solid >= Solid::kCoxa; }
+
 /// A solid and the leg it belongs to (leg slot; 0 where it is no part of a leg).
 struct SolidId {
   Solid solid = Solid::kGround;

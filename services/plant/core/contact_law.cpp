@@ -9,7 +9,6 @@ namespace {
 /// Points along the cylinder's axis share its stiffness.
 constexpr double kObjectPoints = 3;
 
-bool is_leg(Solid solid) { return solid >= Solid::kCoxa; }
 bool grips(Solid solid) { return solid == Solid::kTibia || solid == Solid::kFoot; }
 bool is_robot(Solid solid) { return solid >= Solid::kTrunk; }
 

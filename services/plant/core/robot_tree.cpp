@@ -10,12 +10,13 @@ class RobotTree::Impl {
     model.finish();
     state = model.system.getDefaultState();
     model.system.realizeModel(state);
+    acceleration.resize(static_cast<int>(kSpeedCount));
   }
 
   SimbodyModel model;
   SimTK::State state;
   // Zero-length inputs mean zero to Simbody.
-  SimTK::Vector no_mobility_force, no_acceleration, residual;
+  SimTK::Vector no_mobility_force, acceleration, residual;
   SimTK::Vector_<SimTK::SpatialVec> no_body_force;
 };
 
@@ -30,11 +31,14 @@ void RobotTree::update(const MotionState& state, Kinematics& kinematics) {
   impl_->model.read_kinematics(impl_->state, kinematics);
 }
 
-void RobotTree::inertial_force(SpeedVector& force) {
+void RobotTree::inverse_dynamics(const SpeedVector& acceleration, SpeedVector& force) {
+  const auto& index = impl_->model.speed_index();
+  for (std::size_t i = 0; i < kSpeedCount; ++i) {
+    impl_->acceleration[index[i]] = acceleration(static_cast<Eigen::Index>(i));
+  }
   impl_->model.matter.calcResidualForceIgnoringConstraints(impl_->state, impl_->no_mobility_force,
                                                            impl_->no_body_force,
-                                                           impl_->no_acceleration, impl_->residual);
-  const auto& index = impl_->model.speed_index();
+                                                           impl_->acceleration, impl_->residual);
   for (std::size_t i = 0; i < kSpeedCount; ++i) {
     force(static_cast<Eigen::Index>(i)) = impl_->residual[index[i]];
   }

@@ -7,9 +7,10 @@
 
 namespace scarab::plant {
 
-/// The Simbody model of robot and object: kinematics and velocity-dependent inertial forces.
-/// Contact, servos and integration are the stepper's. Simbody's headers stay behind this class
-/// (they take long to compile); simbody_model.hpp opens it for cross-checks.
+/// The Simbody model of robot and object, the model of record: kinematics and inverse dynamics. The
+/// stepper's own are written out for this tree and held against these (SimbodyCheck). Simbody's
+/// headers stay behind this class (they take long to compile); simbody_model.hpp opens it for
+/// tests.
 class RobotTree {
  public:
   explicit RobotTree(const Morphology& morphology);
@@ -19,12 +20,12 @@ class RobotTree {
   RobotTree(const RobotTree&) = delete;
   RobotTree& operator=(const RobotTree&) = delete;
 
-  /// Poses, velocities and joint axes at `state`. Also prepares inertial_force().
+  /// Poses, velocities and joint axes at `state`. Also prepares inverse_dynamics().
   void update(const MotionState& state, Kinematics& kinematics);
 
-  /// Coriolis and centrifugal force (N, N m) at the state of the last update(): what must act for
-  /// zero generalised acceleration, without gravity.
-  void inertial_force(SpeedVector& force);
+  /// The generalised force (N, N m) that gives the generalised acceleration (rad/s2, m/s2) at the
+  /// state of the last update(), without gravity.
+  void inverse_dynamics(const SpeedVector& acceleration, SpeedVector& force);
 
  private:
   class Impl;

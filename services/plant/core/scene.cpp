@@ -7,7 +7,7 @@
 #include <string>
 
 #include "common/random/random.hpp"
-#include "services/plant/core/robot_tree.hpp"
+#include "services/plant/core/forward_kinematics.hpp"
 
 namespace scarab::plant {
 namespace {
@@ -40,9 +40,8 @@ void change_friction(FrictionConfig& friction, const TrialSpec& trial) {
 
 /// Height of the lowest foot's lowest point.
 double lowest_foot(const Morphology& morphology, const MotionState& state) {
-  RobotTree tree(morphology);
   Kinematics kinematics;
-  tree.update(state, kinematics);
+  ForwardKinematics(morphology).update(state, kinematics);
   double lowest = std::numeric_limits<double>::infinity();
   for (const robot::Leg leg : robot::kLegs) {
     const std::size_t tibia = leg_body(leg, LegSegment::kTibia);

@@ -3,8 +3,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "services/plant/core/contact_jacobian.hpp"
-
 namespace scarab::plant {
 namespace {
 
@@ -39,8 +37,10 @@ void integrate_position(MotionState& state, double dt_s) {
 Stepper::Stepper(const Morphology& morphology, const PlantConfig& config, const Wall& wall)
     : morphology_(morphology),
       config_(config),
-      tree_(morphology),
+      forward_kinematics_(morphology),
       mass_matrix_(morphology),
+      inertial_force_(morphology),
+      simbody_check_(morphology),
       collision_(morphology, wall, config.contact.trunk_edge_radius_m),
       contact_law_(config.contact, config.friction) {}
 
@@ -65,14 +65,20 @@ void Stepper::add_contacts(double dt_s) {
   const Vector3d axis = kinematics_.body[kObjectBody].R_world_body.col(1);
   const double spin = kinematics_.body[kObjectBody].angular_velocity.dot(axis);
   contact_law_.begin_step();
+  solver_.begin();
   laws_.clear();
+  jacobians_.clear();
   for (const Contact& contact : found_) {
-    const ContactJacobian jacobian(kinematics_, morphology_.leg_on_front, contact);
+    const ContactJacobian& jacobian =
+        jacobians_.emplace_back(kinematics_, morphology_.leg_on_front, contact);
     const Vector3d velocity = jacobian.velocity(speed_);
     const ContactForce law =
         contact_law_.evaluate(contact, velocity, spin, morphology_.object_radius_m, dt_s);
     laws_.push_back(law);
     if (law.push_n <= 0) continue;
+    if (is_leg(contact.a.solid) && is_leg(contact.b.solid)) {
+      solver_.couple(contact.a.leg, contact.b.leg);
+    }
     jacobian.add_force(force_on_b(law, contact.touch.normal, velocity), force_);
     jacobian.add_damping(contact.touch.normal, dt_s * law.normal_damping, dt_s * law.slip_damping,
                          system_);
@@ -100,9 +106,8 @@ void Stepper::resolve() {
   for (std::size_t i = 0; i < found_.size(); ++i) {
     const ContactForce& law = laws_[i];
     if (law.push_n <= 0) continue;
-    const ContactJacobian jacobian(kinematics_, morphology_.leg_on_front, found_[i]);
     const Vector3d& n = found_[i].touch.normal;
-    const Vector3d force = force_on_b(law, n, jacobian.velocity(speed_));
+    const Vector3d force = force_on_b(law, n, jacobians_[i].velocity(speed_));
     resolved_.push_back({found_[i], force, force.dot(n)});
   }
 }
@@ -110,17 +115,20 @@ void Stepper::resolve() {
 void Stepper::step(const robot::JointVector& targets_rad, double dt_s,
                    robot::JointVector& reference_rad, MotionState& state) {
   speed_ = state.speed;
-  tree_.update(state, kinematics_);
+  forward_kinematics_.update(state, kinematics_);
   mass_matrix_.compute(kinematics_, config_.gravity_m_s2, system_, force_);
-  tree_.inertial_force(inertial_);
+  inertial_force_.compute(kinematics_, inertial_);
+  if (step_++ % kStepsPerCheck == 0) {
+    simbody_check_.compare(state, kinematics_, system_, inertial_, acceleration_);
+  }
   force_ -= inertial_;
   add_joints(targets_rad, dt_s, reference_rad, state);
   collision_.detect(kinematics_, found_);
   add_contacts(dt_s);
   lock_absent_joints();
 
-  cholesky_.compute(system_);
-  acceleration_ = cholesky_.solve(force_);
+  solver_.factor(system_);
+  acceleration_ = solver_.solve(force_);
   speed_ += dt_s * acceleration_;
   state.speed = speed_;
   resolve();

@@ -1,12 +1,17 @@
 #pragma once
 
+#include <cstdint>
 #include <vector>
 
+#include "services/plant/core/branch_solver.hpp"
 #include "services/plant/core/collision.hpp"
+#include "services/plant/core/contact_jacobian.hpp"
 #include "services/plant/core/contact_law.hpp"
+#include "services/plant/core/forward_kinematics.hpp"
+#include "services/plant/core/inertial_force.hpp"
 #include "services/plant/core/mass_matrix.hpp"
-#include "services/plant/core/robot_tree.hpp"
 #include "services/plant/core/servo.hpp"
+#include "services/plant/core/simbody_check.hpp"
 
 namespace scarab::plant {
 
@@ -23,14 +28,18 @@ struct ResolvedContact {
 ///
 /// f: gravity, inertial, servo, stop and contact forces at the present positions and at velocities
 /// that include dt K; D, K: damping and stiffness of servos, stops, normal contact, friction
-/// (secant slope, lagged normal force) and rolling resistance, through their Jacobians. Solved by
-/// Cholesky; orientations follow the exponential map. Stable for contact stiffnesses an explicit
+/// (secant slope, lagged normal force) and rolling resistance, through their Jacobians. Solved leg
+/// by leg; orientations follow the exponential map. Stable for contact stiffnesses an explicit
 /// method would need 20 us for.
+///
+/// Kinematics, M and inertial forces are written out for this tree; every kStepsPerCheck steps,
+/// the first among them, they are held against Simbody's.
 class Stepper {
  public:
   Stepper(const Morphology& morphology, const PlantConfig& config, const Wall& wall);
 
-  /// Advances `state` by dt_s; servos slew `reference_rad` towards `targets_rad` on the way.
+  /// Advances `state` by dt_s; servos slew `reference_rad` towards `targets_rad` on the way. Throws
+  /// std::logic_error if the tree's dynamics are not those of Simbody's model.
   void step(const robot::JointVector& targets_rad, double dt_s, robot::JointVector& reference_rad,
             MotionState& state);
 
@@ -46,10 +55,15 @@ class Stepper {
   void resolve();
   void lock_absent_joints();
 
+  static constexpr std::uint64_t kStepsPerCheck = 100;
+
   Morphology morphology_;
   PlantConfig config_;
-  RobotTree tree_;
+  ForwardKinematics forward_kinematics_;
   MassMatrix mass_matrix_;
+  InertialForce inertial_force_;
+  SimbodyCheck simbody_check_;
+  BranchSolver solver_;
   Collision collision_;
   ContactLaw contact_law_;
 
@@ -57,8 +71,9 @@ class Stepper {
   Kinematics kinematics_;
   SpeedMatrix system_;
   SpeedVector speed_, force_, inertial_;
-  Eigen::LLT<SpeedMatrix> cholesky_;
+  std::uint64_t step_ = 0;
   std::vector<Contact> found_;
+  std::vector<ContactJacobian> jacobians_;
   std::vector<ContactForce> laws_;
   std::vector<ResolvedContact> resolved_;
   std::array<JointTorque, robot::kJointCount> servo_{};
