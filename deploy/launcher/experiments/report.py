@@ -17,7 +17,7 @@ def draw_report(places: Places, directory: Path, signals: Signals) -> None:
     """Failure with the reason where that does not work, Interrupted on a request to stop."""
     script = places.root / "deploy" / "report" / "report.py"
     with tempfile.TemporaryFile() as complaint:
-        code = run_in_front([_PYTHON, script, directory], signals, stdout=complaint, stderr=complaint)
+        code = run_in_front([_PYTHON, script, directory, "--bin", places.bin], signals, stdout=complaint, stderr=complaint)
         if code != 0:
             complaint.seek(0)
             lines = complaint.read().decode(errors="replace").strip().splitlines()
