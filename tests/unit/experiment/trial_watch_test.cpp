@@ -1,5 +1,6 @@
 #include <gmock/gmock.h>
 
+#include <cmath>
 #include <set>
 
 #include "common/bus/sample_fields.hpp"
@@ -33,6 +34,7 @@ scarab_WorldState world_of(std::uint32_t tick, scarab_Verdict verdict = scarab_V
   scarab_WorldState world{};
   world.header = header_of(trial, tick);
   world.object_travel_m = 0.01 * tick;
+  world.trunk.orientation_wxyz[0] = 1;
   world.verdict = verdict;
   bus::assign(world.verdict_reason, reason);
   return world;
@@ -110,6 +112,123 @@ TEST_F(TrialWatchTest, CanBeEndedFromHere) {
   EXPECT_TRUE(watch_.ended());
   EXPECT_FALSE(watch_.outcome().success);
   EXPECT_EQ(watch_.outcome().reason, "premotor/0: cannot go on");
+}
+
+/// The trunk at (x, y) with this heading, the object at `object_y`.
+scarab_WorldState world_at(std::uint32_t tick, double x, double y, double heading_rad,
+                           double object_y = 0) {
+  auto world = world_of(tick);
+  world.trunk.position_m[0] = x;
+  world.trunk.position_m[1] = y;
+  world.trunk.position_m[2] = 0.1 * tick;  // up and down is no travel
+  world.trunk.orientation_wxyz[0] = std::cos(heading_rad / 2);
+  world.trunk.orientation_wxyz[3] = std::sin(heading_rad / 2);
+  world.object.position_m[1] = object_y;
+  return world;
+}
+
+TEST_F(TrialWatchTest, MeasuresFromTheFirstSampleToTheLast) {
+  watch_.see(world_at(0, 1, 2, 0.1, 0.02));
+  watch_.see(world_at(1, 0, 0, -0.3, 0.5));
+  watch_.see(world_at(2, -2, -2, 0.2, -0.01));
+  const auto& measures = watch_.outcome().measures;
+  EXPECT_DOUBLE_EQ(measures.object_travel_m, 0.02);
+  EXPECT_DOUBLE_EQ(measures.object_sideways_m, -0.03);
+  EXPECT_DOUBLE_EQ(measures.trunk_travel_m, 5);
+  EXPECT_NEAR(measures.heading_rad, 0.1, 1e-12);
+  EXPECT_NEAR(measures.heading_max_rad, 0.4, 1e-12);
+  EXPECT_EQ(watch_.outcome().missed, "");
+}
+
+TEST_F(TrialWatchTest, HeadingGoesOnThroughPi) {
+  for (std::uint32_t tick = 0; tick < 80; ++tick) watch_.see(world_at(tick, 0, 0, 0.1 * tick));
+  EXPECT_NEAR(watch_.outcome().measures.heading_rad, 7.9, 1e-9);
+  EXPECT_NEAR(watch_.outcome().measures.heading_max_rad, 7.9, 1e-9);
+}
+
+TEST_F(TrialWatchTest, NothingIsMeasuredAfterTheVerdict) {
+  watch_.see(world_at(0, 0, 0, 0));
+  auto last = world_at(1, 0, 3, 0);
+  last.verdict = scarab_VERDICT_FAILURE;
+  watch_.see(last);
+  watch_.see(world_at(2, 0, 9, 1));
+  EXPECT_DOUBLE_EQ(watch_.outcome().measures.trunk_travel_m, 3);
+  EXPECT_EQ(watch_.outcome().end.time_s, 0.1);
+}
+
+TEST_F(TrialWatchTest, SaysWhenAStateWasFirstEntered) {
+  watch_.see(behaviour_of(0, scarab_BEHAVIOUR_APPROACH));
+  watch_.see(behaviour_of(1, scarab_BEHAVIOUR_CLIMB));
+  watch_.see(behaviour_of(2, scarab_BEHAVIOUR_APPROACH));
+  watch_.see(behaviour_of(3, scarab_BEHAVIOUR_CLIMB));
+  watch_.see(behaviour_of(4, scarab_BEHAVIOUR_MODE_1));
+  watch_.see(behaviour_of(5, scarab_BEHAVIOUR_FAILED));
+  const auto& measures = watch_.outcome().measures;
+  EXPECT_EQ(measures.climb_s, 0.1);
+  EXPECT_EQ(measures.mode1_s, 0.4);
+  EXPECT_EQ(measures.mode2_s, std::nullopt);
+}
+
+TEST_F(TrialWatchTest, AMissedFirstSampleIsNoticed) {
+  watch_.see(world_of(1));
+  watch_.see(world_of(2, scarab_VERDICT_SUCCESS));
+  EXPECT_TRUE(watch_.ended());
+  EXPECT_THAT(watch_.outcome().missed, testing::HasSubstr("world_state of 0.000 s"));
+}
+
+TEST_F(TrialWatchTest, AMissedBehaviourIsNoticed) {
+  for (const std::uint32_t tick : {0, 1, 2, 4}) {
+    watch_.see(behaviour_of(tick, scarab_BEHAVIOUR_APPROACH));
+  }
+  EXPECT_THAT(watch_.outcome().missed, testing::HasSubstr("behaviour of 0.300 s"));
+}
+
+TEST_F(TrialWatchTest, IsCompleteWithTheLastAnswer) {
+  watch_.see(world_of(0));
+  watch_.see(world_of(1, scarab_VERDICT_SUCCESS));
+  EXPECT_FALSE(watch_.complete());
+  watch_.see(behaviour_of(0, scarab_BEHAVIOUR_APPROACH));
+  EXPECT_FALSE(watch_.complete());
+  watch_.see(behaviour_of(1, scarab_BEHAVIOUR_DONE));
+  EXPECT_TRUE(watch_.complete());
+  EXPECT_TRUE(watch_.outcome().judged);
+}
+
+TEST_F(TrialWatchTest, WhatWasEndedFromHereIsNotJudged) {
+  watch_.fail("silence");
+  EXPECT_FALSE(watch_.outcome().judged);
+}
+
+TEST(ToTrial, SaysAllThatTheLineSays) {
+  TrialLine line;
+  line.strategy = "boxing";
+  line.goal = Goal::kWalk;
+  line.height_m = 0.01;
+  line.distance_m = 0.02;
+  line.time_limit_s = 0.03;
+  line.seed = 4;
+  line.perturb_position_m = 0.05;
+  line.perturb_yaw_rad = 0.06;
+  line.perturb_friction = 0.07;
+  line.perturb_cpg_phase = true;
+  line.friction_scale = 0.08;
+  line.object_mass_kg = 0.09;
+  line.object_diameter_m = 0.10;
+  const auto trial = to_trial(line, 11);
+  EXPECT_EQ(trial.header.trial, 11U);
+  EXPECT_STREQ(trial.strategy, "boxing");
+  EXPECT_EQ(trial.goal, scarab_GOAL_WALK);
+  EXPECT_EQ(trial.obstacle_height_m, 0.01);
+  EXPECT_EQ(trial.goal_distance_m, 0.02);
+  EXPECT_EQ(trial.time_limit_s, 0.03);
+  EXPECT_EQ(trial.seed, 4U);
+  EXPECT_EQ(trial.perturb_position_m, 0.05);
+  EXPECT_EQ(trial.perturb_yaw_rad, 0.06);
+  EXPECT_EQ(trial.perturb_friction, 0.07);
+  EXPECT_TRUE(trial.perturb_cpg_phase);
+  EXPECT_EQ(trial.friction_scale, 0.08);
+  EXPECT_EQ(trial.object_mass_kg, 0.09);
+  EXPECT_EQ(trial.object_diameter_m, 0.10);
 }
 
 }  // namespace
