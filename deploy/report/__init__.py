@@ -16,8 +16,8 @@ _ROOT = Path(__file__).resolve().parents[2]
 def write(directory: Path, bin: Optional[Path] = None) -> List[Path]:
     """Draws the figures and writes summary.json and report.html into the experiment's directory.
 
-    `bin` has the program scarab-log, which only reads logs. Returns the files written, report.html last; ReportError with
-    one line for a person where plan.json or results.csv do not serve.
+    `bin` has the program scarab-log, for logs alone. Returns the files written, report.html last; ReportError with one
+    line for a person where plan.json or results.csv do not serve, or a finished experiment lacks a log.
     """
     from .directory_report import write_report
     return write_report(Path(directory), bin or default_bin())

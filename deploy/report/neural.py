@@ -10,7 +10,7 @@ from .trial import Conditions
 SETTLE_TICKS = 30  # of the change from the row of Table 1 that the network ran in before
 PSN_LAYERS = 4  # a signal takes one tick a layer [paper, sections 2 and 2.2]
 _PSN = tuple(f"psn{module}[{index}]" for module in (1, 2, 3, 4) for index in (12, 13))
-_FIELDS = ("input", "cpg", "vrn1[6]", "vrn2[6]", *_PSN)
+_FIELDS = ("input", "cpg", "vrn1[1]", "vrn1[6]", "vrn2[6]", *_PSN)
 
 # Strategies that hold one row of Table 1 from the start (config/supervisor), with its name there.
 TABLE_ROWS = {"table-forward": "forward walking", "table-backward": "backward walking",

@@ -3,7 +3,7 @@
 import cmath
 import math
 from dataclasses import dataclass
-from typing import List, Sequence
+from typing import List, Sequence, Tuple
 
 
 def amplitude(signal: Sequence[float]) -> float:
@@ -24,6 +24,14 @@ def correlation(a: Sequence[float], b: Sequence[float]) -> float:
     return product / size if size > 1e-12 else 0.0
 
 
+def line_through(x: Sequence[float], y: Sequence[float]) -> Tuple[float, float]:
+    """Slope and value at 0 of the least-squares line."""
+    mean_x, mean_y = math.fsum(x) / len(x), math.fsum(y) / len(y)
+    slope = (math.fsum((a - mean_x) * (b - mean_y) for a, b in zip(x, y)) /
+             math.fsum((a - mean_x) ** 2 for a in x))
+    return slope, mean_y - slope * mean_x
+
+
 def delayed_correlation(output: Sequence[float], source: Sequence[float], delay: int) -> float:
     """Of the output with the source `delay` samples before."""
     return correlation(output[delay:], source[:len(source) - delay])
@@ -37,6 +45,11 @@ class Orbit:
     clockwise: bool
     scatter: float  # largest distance of a state from the curve through its neighbours, share of the mean radius
     nearest_return: float  # smallest distance between two states, share of the mean radius
+
+    @property
+    def repeats(self) -> bool:
+        """Two states are the same but for rounding."""
+        return self.nearest_return < 1e-9
 
 
 def orbit(x: Sequence[float], y: Sequence[float]) -> Orbit:

@@ -25,6 +25,9 @@ class Plan:
     version: str
     configuration: str
     trials: List[Conditions]
+    robot: str = ""
+    wall_s: float = 0.0  # that all sessions took; 0: not known
+    simulated_s: float = 0.0
 
 
 def read_plan(file: Path) -> Plan:
@@ -44,9 +47,17 @@ def read_plan(file: Path) -> Plan:
     trials = document.get("trials")
     if not isinstance(trials, list) or not trials:
         raise ReportError(f"{file}: trials: expected the list of planned trials")
-    return Plan(**texts, paper_figure=str(document.get("paper_figure") or ""),
-                paper=_paragraphs(document.get("paper")), notes=_paragraphs(document.get("notes")),
-                trials=[_conditions(trial, f"{file}: trials[{i}]") for i, trial in enumerate(trials)])
+    return Plan(
+        **texts, paper_figure=str(document.get("paper_figure") or ""), paper=_paragraphs(document.get("paper")),
+        notes=_paragraphs(document.get("notes")), robot=str(document.get("robot") or ""),
+        trials=[_conditions(trial, f"{file}: trials[{i}]") for i, trial in enumerate(trials)],
+        wall_s=_total(document, "wall_s"), simulated_s=_total(document, "simulated_s"))
+
+
+def _total(document: Dict[str, Any], key: str) -> float:
+    """Over all sessions; 0 where they are not told."""
+    values = [session.get(key) for session in document.get("sessions") or [] if isinstance(session, dict)]
+    return float(sum(value for value in values if isinstance(value, (int, float))))
 
 
 def _text(document: Dict[str, Any], key: str, file: Path) -> str:

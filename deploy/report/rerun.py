@@ -1,12 +1,24 @@
-"""The command that runs one trial again."""
+"""Commands that run one trial again."""
+
+from pathlib import Path
 
 from .trial import Conditions
 
 
-def rerun_command(trial: Conditions) -> str:
-    """One line for a shell, from the top of the source tree."""
-    words = ["deploy/scarab sim", f"--strategy {trial.strategy}", f"--height {exact(trial.height_m)}",
-             f"--goal {trial.goal}"]
+_SOURCE_ROOT = Path(__file__).resolve().parents[2]
+
+
+def row_command(directory: Path, trial: Conditions) -> str:
+    """By its row; from the top of the source tree."""
+    table = directory.resolve() / "results.csv"
+    inside = table.is_relative_to(_SOURCE_ROOT)
+    return f"deploy/scarab sim --row {table.relative_to(_SOURCE_ROOT) if inside else table}:{trial.index}"
+
+
+def rerun_command(trial: Conditions, robot: str = "") -> str:
+    """Without the table: every condition is said."""
+    words = ["deploy/scarab sim", *([f"--robot {robot}"] if robot else []), f"--strategy {trial.strategy}",
+             f"--height {exact(trial.height_m)}", f"--goal {trial.goal}"]
     if trial.goal in ("travel", "walk"):
         words.append(f"--distance {exact(trial.distance_m)}")
     words += [f"--time-limit {exact(trial.time_limit_s)}", f"--seed {trial.seed}"]

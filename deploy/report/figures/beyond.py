@@ -47,8 +47,8 @@ def _time(axis: Axes, place: int, cell: Cell) -> None:
     times = cell.times_s
     if not times:
         return
-    axis.plot([place + shift for shift in spread_out(times, 0.28)], times, linestyle="", marker=".", markersize=2.5,
-              color=GREY)
+    axis.plot([place + shift for shift in spread_out(len(times), 0.28)], times, linestyle="", marker=".",
+              markersize=2.5, color=GREY)
     axis.errorbar(place, mean(times), deviation(times), color=INK, marker="o", markerfacecolor="white", markersize=4.5,
                   capsize=3, linewidth=0.9, zorder=4)
 

@@ -22,9 +22,9 @@ def draw(experiment: Experiment, prefix: Path) -> List[Path]:
                                              gridspec_kw={"width_ratios": [1.75, 1.0]})
         time_s = found.time_s[SETTLE_TICKS:]
         _over_time(time, time_s, c1, c2, 0.1 * orbit.period_ticks)
-        _portrait(phase, c1, c2)
+        _portrait(phase, c1, c2, int(orbit.period_ticks))
         letter(time, "a", f"period {orbit.period_ticks:.2f} ticks of 0.1 s, amplitude {amplitude(c1):.2f}")
-        letter(phase, "b", f"{len(c1)} states, none twice")
+        letter(phase, "b", f"{len(c1)} states, " + ("some repeat" if orbit.repeats else "none repeats"))
         sign(figure, experiment.plan.trials[:1])
         return save(figure, prefix)
 
@@ -45,10 +45,11 @@ def _over_time(axis: Axes, time_s: List[float], c1: List[float], c2: List[float]
     axis.axhline(0, color=RULE, linewidth=0.5, zorder=0)
 
 
-def _portrait(axis: Axes, c1: List[float], c2: List[float]) -> None:
+def _portrait(axis: Axes, c1: List[float], c2: List[float], turn: int) -> None:
+    """All states, and one turn with the direction of time."""
     axis.plot(c1, c2, linestyle="", marker=".", markersize=2.0, color=GREY)
-    axis.plot(c1[:16], c2[:16], color=BLUE, linewidth=0.6, marker="o", markersize=2.4)
-    for i in range(0, 15, 2):
+    axis.plot(c1[:turn], c2[:turn], color=BLUE, linewidth=0.6, marker="o", markersize=2.4)
+    for i in range(0, turn - 1, 2):
         axis.annotate("", (c1[i + 1], c2[i + 1]), (c1[i], c2[i]),
                       arrowprops={"arrowstyle": "-|>", "linewidth": 0.6, "color": INK, "mutation_scale": 7})
     axis.set_aspect("equal")

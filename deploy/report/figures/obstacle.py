@@ -33,6 +33,7 @@ def draw(experiment: Experiment, prefix: Path) -> List[Path]:
                 _times(time, experiment.of(strategy), heights, side)
             _dress(success, time, base, "abcdef"[2 * row:2 * row + 2])
         _label_heights(axes, heights)
+        axes[0][1].set_ylim(0, axes[0][1].get_ylim()[1])  # once all are drawn: they share it
         sign(figure, experiment.plan.trials, f"{max(cell.n for cell in experiment.cells)} trials a bar")
         return save(figure, prefix)
 
@@ -74,7 +75,6 @@ def _dress(success: Axes, time: Axes, base: str, letters: str) -> None:
     success.set_ylabel("success [%]")
     success.spines["left"].set_bounds(0, 100)
     time.set_ylabel("time of successes [s]")
-    time.set_ylim(bottom=0)
     for axis in (success, time):
         axis.grid(axis="y", color=RULE, linewidth=0.4)
         axis.set_axisbelow(True)

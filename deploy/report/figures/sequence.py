@@ -11,6 +11,7 @@ from matplotlib.axes import Axes
 from ..behaviour_signals import behaviour_signals
 from ..experiment import Experiment
 from ..signal_table import JOINT_SLOTS, SignalTable
+from ..wording import perturbation, seeds, shown_height
 from .style import PAGE, journal_style, save
 
 # Tints of the Okabe-Ito palette: apart for colour-blind readers, and each lighter or darker than its
@@ -56,7 +57,9 @@ def spans(table: SignalTable) -> List[Span]:
 def draw(experiment: Experiment, prefix: Path) -> List[Path]:
     """Of the trial that behaviour_signals chooses."""
     trial, table = behaviour_signals(experiment)
-    return draw_signals(table, prefix, f"{trial.strategy}, obstacle {100 * trial.height_m:g} cm, seed {trial.seed}")
+    note = "; ".join([trial.strategy, f"obstacle {shown_height(trial.height_m)}", perturbation([trial]),
+                      seeds([trial])])
+    return draw_signals(table, prefix, note)
 
 
 def draw_signals(table: SignalTable, prefix: Path, note: str = "") -> List[Path]:

@@ -1,5 +1,6 @@
 """How all figures look: for print at column width, readable in grey, the same bytes for the same data."""
 
+import textwrap
 from contextlib import contextmanager
 from pathlib import Path
 from typing import Dict, Iterator, List, Tuple
@@ -19,6 +20,7 @@ COLUMN, PAGE = 3.5, 7.2
 # Okabe-Ito colours in the order of their lightness in print, darkest first.
 INK, BLUE, VERMILION, ORANGE, PALE = "#1b1b1b", "#0072b2", "#d55e00", "#e69f00", "#f0e442"
 GREY, RULE = "#6e6e6e", "#c9c9c9"
+_SMALL_PRINT = 6.5
 _SETTINGS = {
     "font.family": "DejaVu Sans", "font.size": 8, "axes.labelsize": 8, "axes.titlesize": 8,
     "xtick.labelsize": 7.5, "ytick.labelsize": 7.5, "legend.fontsize": 7.5, "axes.linewidth": 0.6,
@@ -46,7 +48,8 @@ def save(figure: Figure, prefix: Path) -> List[Path]:
 def sign(figure: Figure, trials: List[Conditions], *more: str) -> None:
     """What was perturbed, in small print below the panels."""
     text = "; ".join([*more, perturbation(trials), seeds(trials)])
-    figure.supxlabel(text, fontsize=6.5, color=GREY, x=0.01, ha="left")
+    columns = int(figure.get_size_inches()[0] / (_SMALL_PRINT * 0.56 / 72))
+    figure.supxlabel("\n".join(textwrap.wrap(text, columns)), fontsize=_SMALL_PRINT, color=GREY, x=0.01, ha="left")
 
 
 def letter(axis: Axes, text: str, title: str = "") -> None:

@@ -9,7 +9,7 @@ from matplotlib.axes import Axes
 from ..experiment import Experiment
 from ..failure import ReportError
 from ..neural import SETTLE_TICKS, Recording, table_recordings
-from ..oscillation import amplitude, offset
+from ..oscillation import amplitude
 from .style import BLUE, PAGE, RULE, VERMILION, journal_style, letter, save, sign
 
 _SHOWN = slice(SETTLE_TICKS, SETTLE_TICKS + 45)
@@ -41,14 +41,12 @@ def draw(experiment: Experiment, prefix: Path) -> List[Path]:
 def _panel(axis: Axes, rows: List[Recording], neuron: str) -> None:
     looks = ((BLUE, "-", "o"), (VERMILION, (0, (3, 1.5)), "s"))
     axis.axhline(0, color=RULE, linewidth=0.5, zorder=0)
-    words = []
     for row, (colour, style, marker) in zip(rows, looks):
         label = row.strategy.replace("table-", "")
         axis.plot(row.time_s[_SHOWN], row.neuron(neuron)[_SHOWN], color=colour, linestyle=style, marker=marker,
                   markersize=2.0, markevery=3, linewidth=1.0, label=label)
-        found = row.settled(neuron)
-        words.append(f"{label + ': ' if len(rows) > 1 else ''}{amplitude(found):.2f} about {offset(found):+.3f}")
-    axis.text(0.02, 0.98, "\n".join(words), transform=axis.transAxes, fontsize=6.5, va="top")
+    amplitudes = dict.fromkeys(f"{amplitude(row.settled(neuron)):.2f}" for row in rows)  # equal ones once
+    axis.text(0.03, 0.97, f"amplitude {', '.join(amplitudes)}", transform=axis.transAxes, fontsize=7, va="top")
     axis.margins(y=0.32)
     if len(rows) > 1:
         axis.legend(loc="lower center", ncol=2, fontsize=6.5, handlelength=1.8, columnspacing=0.8, borderpad=0)

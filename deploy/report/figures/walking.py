@@ -80,7 +80,7 @@ def _largest_turn(axis: Axes, experiment: Experiment, strategies: List[str]) -> 
         trials = [trial for cell in experiment.of(strategy) for trial in cell.trials]
         turned = [math.degrees(trial.heading_max_rad) for trial in trials]
         colour, marker, _ = mode_style(strategy)
-        shifts = spread_out(turned, 0.25)
+        shifts = spread_out(len(turned), 0.25)
         axis.plot([place + shift for shift in shifts], turned, linestyle="", marker=marker, markersize=3.4,
                   markerfacecolor=colour, markeredgecolor=INK, markeredgewidth=0.5)
         inside = sum(trial.success and angle <= BAND_DEG for trial, angle in zip(trials, turned))

@@ -19,9 +19,11 @@ def up_to_12_cm(experiment: Experiment) -> Finding:
     cells = [cell for cell in experiment.of(STRATEGY) if 0 < cell.key.height_m <= AIMS[0][0]]
     met = [cell.share >= AIMS[0][1] for cell in cells]
     missed = [cell for cell, good in zip(cells, met) if not good]
-    return Finding("up_to_12_cm", "Soft then hard pushing succeeds in at least 38 of 40 trials at every height up to 12 cm.",
-                   graded(met), [f"{shown_height(cell.key.height_m)}: {counted(cell)}" for cell in cells],
-                   "; ".join(f"at {shown_height(cell.key.height_m)}: {failures([cell])}" for cell in missed), Source.AIM)
+    reasons = [f"at {shown_height(cell.key.height_m)}: {failures([cell])}" for cell in missed]
+    return Finding(
+        "up_to_12_cm", "Soft then hard pushing succeeds in at least 38 of 40 trials at every height up to 12 cm.",
+        graded(met), [f"{shown_height(cell.key.height_m)}: {counted(cell)}" for cell in cells], "; ".join(reasons),
+        Source.AIM)
 
 
 def at_14_cm(experiment: Experiment) -> Finding:

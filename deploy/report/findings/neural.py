@@ -5,13 +5,12 @@ from typing import Dict, List
 
 from ..experiment import Experiment
 from ..neural import TABLE_ROWS, Recording, recording, table_recordings
-from ..oscillation import Orbit, amplitude, correlation, offset, orbit
+from ..oscillation import Orbit, amplitude, correlation, line_through, orbit
 from ..psn_row import switching
 from .finding import Finding, Verdict, graded
 
 _CLOSED = 0.02  # of the mean radius: how far a state may lie off the curve through its neighbours
-_REPEATED = 1e-9  # of the mean radius: two states this near are the same state
-_SAME = 0.02  # of the larger amplitude: two outputs this alike are the same
+_SAME, _SAME_BIAS = 0.02, 0.002  # of a weight or an amplitude, as a share; of a bias
 _INVERTED = ("table-soft-push", "table-boxing", "table-hard-push")
 
 
@@ -19,21 +18,21 @@ def cpg_oscillates(experiment: Experiment) -> Finding:
     _, found, c1, c2 = cpg(experiment)
     quarter = math.degrees(math.acos(max(-1.0, min(1.0, correlation(c1, c2)))))
     met = [min(amplitude(c1), amplitude(c2)) > 0.5, abs(quarter - 90) < 10]
-    return Finding("cpg_periodic", "The two neurons of the CPG swing with one period, one behind the other.", graded(met), [
+    statement = "The two neurons of the CPG swing with one period, one behind the other."
+    return Finding("cpg_periodic", statement, graded(met), [
         f"period {found.period_ticks:.2f} ticks, {found.period_ticks / 10:.3f} s at 10 Hz",
         f"amplitude {amplitude(c1):.3f} (C1), {amplitude(c2):.3f} (C2)", f"{quarter:.0f}° between them"])
 
 
 def cpg_quasi_periodic(experiment: Experiment) -> Finding:
     _, found, c1, _ = cpg(experiment)
-    closed, repeats = found.scatter < _CLOSED, found.nearest_return < _REPEATED
+    closed, repeats = found.scatter < _CLOSED, found.repeats
     reasons = [] if closed else ["the states do not lie on one closed curve"]
     reasons += ["states repeat, so the orbit is periodic"] if repeats else []
-    return Finding("cpg_quasi_periodic", "In phase space the CPG has a quasi-periodic attractor: a closed curve that it "
-                   "never repeats on.", graded([closed, not repeats]), [
-                       f"{len(c1)} states lie within {100 * found.scatter:.2f} % of one closed curve",
-                       f"the nearest two are {found.nearest_return:.1e} of the radius apart: none repeats"
-                       if not repeats else "states repeat"], "; ".join(reasons))
+    statement = "In phase space the CPG has a quasi-periodic attractor: a closed curve that it never repeats on."
+    return Finding("cpg_quasi_periodic", statement, graded([closed, not repeats]), [
+        f"{len(c1)} states lie within {100 * found.scatter:.2f} % of one closed curve",
+        f"the nearest two are {found.nearest_return:.1e} of the radius apart"], "; ".join(reasons))
 
 
 def cpg(experiment: Experiment) -> "tuple[Recording, Orbit, List[float], List[float]]":
@@ -53,22 +52,23 @@ def psn_rows(experiment: Experiment) -> Finding:
             wrong.append(f"{found.row} should {expected}")
     if len(met) < len(TABLE_ROWS):
         wrong.append(f"{len(met)} of {len(TABLE_ROWS)} rows were run")
-    return Finding("psn_rows", "PSN1 passes its inputs on for (I1, I2) = (1, 1) and (0, 1), and inverts them for (1, -1), "
-                   "(-1, -1) and (1, 0).", graded(met), numbers, "; ".join(wrong))
+    statement = ("PSN1 passes its inputs on for (I1, I2) = (1, 1) and (0, 1), and inverts them for (1, -1), (-1, -1) "
+                 "and (1, 0).")
+    return Finding("psn_rows", statement, graded(met), numbers, "; ".join(wrong))
 
 
 def psn_amplitude(experiment: Experiment) -> Finding:
     sizes = {module: [switching(found, module).amplitude for found in table_recordings(experiment)]
              for module in ("PSN1", "PSN2", "PSN3", "PSN4")}
-    return Finding("psn_amplitude", "The PSN keep the form of their inputs and an amplitude as high as possible, between "
-                   "-0.5 and +0.5.", graded([max(size) <= 0.5 for size in sizes.values()]),
+    statement = "The outputs of the PSN keep an amplitude as high as possible, between -0.5 and +0.5."
+    return Finding("psn_amplitude", statement, graded([max(size) <= 0.5 for size in sizes.values()]),
                    [f"{module}: amplitude {min(size):.2f} to {max(size):.2f}" for module, size in sizes.items()])
 
 
 def vrn_order(experiment: Experiment) -> Finding:
     of = _amplitudes(experiment, "VRN1.V7")
-    statement = ("VRN1 sets the amplitude of the hind legs' C-joints by the action: full for walking and for hard pushing, "
-                 "less for boxing, least for soft pushing (from the paper's equations of V1, w9 and w10).")
+    statement = ("VRN1 sets the amplitude of the hind legs' C-joints by the action: full for walking and for hard "
+                 "pushing, less for boxing, least for soft pushing (from the paper's equations of V1, w9 and w10).")
     if len(of) < len(TABLE_ROWS):
         return Finding("vrn_order", statement, Verdict.OPEN, [f"{len(of)} of {len(TABLE_ROWS)} rows were run"])
     soft, boxing, hard = (of[name] for name in _INVERTED)
@@ -79,14 +79,18 @@ def vrn_order(experiment: Experiment) -> Finding:
                    "" if alike else "walking and hard pushing differ")
 
 
-def vrn_offsets(experiment: Experiment) -> Finding:
-    rows = {found.strategy: offset(found.settled("VRN1.V7")) for found in table_recordings(experiment)}
-    soft = rows.pop("table-soft-push", None)
-    met = [] if soft is None or not rows else [abs(soft) < min(map(abs, rows.values()))]
-    numbers = [f"soft pushing: {soft:+.4f}"] if soft is not None else []
-    return Finding("vrn_offsets", "The bias b3 of VRN1 is 0.02 for all actions but soft pushing, where it is 0: all but "
-                   "soft pushing swing about a middle above 0.", graded(met),
-                   numbers + [f"{TABLE_ROWS[name]}: {value:+.4f}" for name, value in rows.items()])
+def vrn_synapses(experiment: Experiment) -> Finding:
+    """Weights and bias as the signals show them: atanh(V2) one tick later is a straight line over its input."""
+    met, numbers = [], []
+    for found in table_recordings(experiment):
+        soft = found.strategy == "table-soft-push"
+        source, weight, bias = ("PSN1.P13", 1.0, 0.0) if soft else ("C1", 2.0, 0.02)
+        slope, start = line_through(found.settled(source)[:-1], list(map(math.atanh, found.settled("VRN1.V2")[1:])))
+        met.append(abs(slope - weight) < _SAME and abs(start - bias) < _SAME_BIAS)
+        numbers.append(f"{found.row}: {slope:.3f} × {source} {'-' if start < -0.0005 else '+'} {abs(start):.3f}")
+    statement = ("V2 of VRN1 gets 2 C1 + 0.02 (w9, b3) in all actions but soft pushing, where it gets P13 of PSN1 "
+                 "alone (w10 = 1).")
+    return Finding("vrn_synapses", statement, graded(met), numbers)
 
 
 def _amplitudes(experiment: Experiment, neuron: str) -> Dict[str, float]:
@@ -95,4 +99,4 @@ def _amplitudes(experiment: Experiment, neuron: str) -> Dict[str, float]:
 
 CPG = (cpg_oscillates, cpg_quasi_periodic)
 PSN = (psn_rows, psn_amplitude)
-VRN = (vrn_order, vrn_offsets)
+VRN = (vrn_order, vrn_synapses)

@@ -7,8 +7,8 @@ from ..exact_tests import shown_p, sign_p
 from ..experiment import Experiment
 from ..intervals import mean
 from ..trial import Trial
-from ..wording import centimetres, counted, failures, percent, shown_height
-from .finding import HALF, Finding, Verdict, does_the_job, graded
+from ..wording import centimetres, counted, failures, shown_height
+from .finding import Finding, Source, Verdict, does_the_job, graded
 
 BASES = ("soft", "boxing", "stationary")
 COMBINATIONS = tuple(f"{base}+hard" for base in BASES)
@@ -45,12 +45,17 @@ def combinations_beat_single(experiment: Experiment) -> Finding:
             continue
         won, lost = found.won(lambda a, b: a.success and not b.success)
         totals = [sum(pair[i].success for pair in found.of) for i in (0, 1)]
+        shown = f"{combination} {totals[0]}/{len(found.of)}, {base} alone {totals[1]}/{len(found.of)}"
+        if totals in ([0, 0], [len(found.of)] * 2):
+            numbers.append(f"{shown}: nothing to tell them apart by")
+            continue
         met.append(totals[0] > totals[1])
-        numbers.append(f"{combination} {totals[0]}/{len(found.of)}, {base} alone {totals[1]}/{len(found.of)}; of the "
-                       f"pairs that differ {won} to {lost} ({shown_p(sign_p(won, lost))}, exact sign test)")
+        numbers.append(f"{shown}; of the pairs that differ {won} to {lost} ({shown_p(sign_p(won, lost))}, exact sign "
+                       "test)")
         if not met[-1]:
             kinds = failures(experiment.of(combination))
-            reasons.append(f"{combination} is no better than {base} alone" + (f"; it fails by: {kinds}" if kinds else ""))
+            why = f"; it fails by: {kinds}" if kinds else ""
+            reasons.append(f"{combination} is no better than {base} alone{why}")
     return Finding("combinations_beat_single", statement, graded(met), numbers, "; ".join(reasons))
 
 
@@ -74,7 +79,9 @@ def soft_hard_fastest(experiment: Experiment) -> Finding:
     return Finding("soft_hard_fastest", statement, graded(met), numbers, "; ".join(reasons))
 
 
-def up_to_10_cm(experiment: Experiment) -> Finding:
+def up_to_10_cm(experiment: Experiment) -> Optional[Finding]:
+    if _PAPER_HIGHEST_M not in experiment.heights_m:
+        return None
     met, numbers, reasons = [], [], []
     for combination in COMBINATIONS:
         at_limit = experiment.at(combination, _PAPER_HIGHEST_M)
@@ -87,24 +94,28 @@ def up_to_10_cm(experiment: Experiment) -> Finding:
             reasons.append(f"{combination} fails at 10 cm by: {failures([at_limit])}")
     numbers += [f"{base} alone: highest with at least half: {_shown(highest(experiment, base))}"
                 for base in BASES if experiment.of(base)]
-    return Finding("up_to_10_cm", "The combinations bring the object across obstacles of up to 10 cm (judged here: in at "
-                   "least half of the trials at 10 cm).", graded(met), numbers if met else [], "; ".join(reasons))
+    statement = ("The combinations bring the object across obstacles of up to 10 cm (judged here: in at least half of "
+                 "the trials at 10 cm).")
+    return Finding("up_to_10_cm", statement, graded(met), numbers if met else [], "; ".join(reasons))
 
 
-def beyond_10_cm(experiment: Experiment) -> Finding:
-    """Of heights that the paper did not try, or did not reach."""
-    numbers = []
+def beyond_10_cm(experiment: Experiment) -> Optional[Finding]:
+    """Heights that the paper did not reach, or did not try."""
+    higher = [height for height in experiment.heights_m if height > _PAPER_HIGHEST_M]
+    if not higher:
+        return None
+    met, numbers = [], []
     for strategy in (*COMBINATIONS, *BASES):
-        higher = [cell for cell in experiment.of(strategy) if cell.key.height_m > _PAPER_HIGHEST_M]
-        if higher:
-            numbers.append(f"{strategy}: " + ", ".join(
-                f"{cell.count} at {shown_height(cell.key.height_m)}" for cell in higher))
-    reached = [combination for combination in COMBINATIONS
-               if (highest(experiment, combination) or 0) > _PAPER_HIGHEST_M]
-    verdict = Verdict.OPEN if not numbers else Verdict.DIFFERS if reached else Verdict.AGREES
-    return Finding("limit_10_cm", "10 cm is the highest obstacle; the tests went up to 11 cm.", verdict, numbers,
-                   f"Scarab goes higher: {', '.join(reached)} cross more than 10 cm in at least {percent(HALF)} "
-                   "of the trials" if reached else "")
+        cells = [cell for cell in experiment.of(strategy) if cell.key.height_m in higher]
+        if strategy in COMBINATIONS:
+            met += [does_the_job(cell) for cell in cells]
+        if cells:
+            numbers.append(f"{strategy}: " + ", ".join(f"{cell.count} at {shown_height(cell.key.height_m)}"
+                                                       for cell in cells))
+    verdict = Verdict.OPEN if not met else Verdict.AGREES if any(met) else Verdict.DIFFERS
+    combined = [cell for name in COMBINATIONS for cell in experiment.of(name) if cell.key.height_m in higher]
+    statement = "A combination crosses more than the paper's 10 cm, in at least half of the trials at some height."
+    return Finding("beyond_10_cm", statement, verdict, numbers, "" if any(met) else failures(combined), Source.AIM)
 
 
 def highest(experiment: Experiment, strategy: str) -> Optional[float]:

@@ -19,17 +19,18 @@ def behaviours_in_order(experiment: Experiment) -> Finding:
     numbers = [f"{sum(met)}/{len(met)} trials go through all of them, in this order"] if trials else []
     if trials:
         numbers.append("the first trial: " + ", ".join(
-            f"{name} at {seconds(time)}" for name, time in zip(_NAMES, trials[0].behaviours_s)))
+            f"{name} " + ("never" if time is None else f"at {seconds(time)}")
+            for name, time in zip(_NAMES, trials[0].behaviours_s)))
     never = [name for i, name in enumerate(_NAMES) if any(t.behaviours_s[i] is None for t in trials)]
-    return Finding("behaviours_in_order", "The robot walks backward, climbs the object by itself, then pushes softly and at "
-                   "last hard.", graded(met), numbers,
+    statement = "The robot walks backward, climbs the object by itself, then pushes softly and at last hard."
+    return Finding("behaviours_in_order", statement, graded(met), numbers,
                    f"never entered in some trials: {', '.join(never)}" if never else "")
 
 
 def triggers(experiment: Experiment) -> Finding:
     """The two signals at the ticks that they switch at."""
-    statement = ("The inclination signal BS starts mode 1 when it is above its threshold for some time; the joint signal AS "
-                 "starts mode 2 when it falls below its own.")
+    statement = ("The inclination signal BS starts mode 1 when it is above its threshold for some time; the joint "
+                 "signal AS starts mode 2 when it falls below its own.")
     try:
         _, table = behaviour_signals(experiment)
     except ReportError as error:

@@ -23,8 +23,8 @@ def write_index_page(directories: List[Path], out: Path) -> Path:
     out.write_text(page(
         "Scarab: the paper's experiments", element("p", "Scarab", class_="kicker"),
         element("h1", "The paper's experiments, reproduced"),
-        element("p", f"{agreed} of {count} statements hold. Each experiment has a report of its own with the conditions, all "
-                     "numbers and the command that runs any one trial again."),
+        element("p", f"{agreed} of {count} statements hold. Each experiment has a report of its own with the "
+                     "conditions, all numbers and the command that runs any one trial again."),
         element("h2", "Paper, Scarab, command"),
         table(("experiment", "paper", "Scarab", "measured", "command"), rows, "findings"), *figures))
     return out
@@ -53,8 +53,8 @@ def _figure(directory: Path, summary: Dict[str, Any], out: Path) -> Html:
     drawing = element("figure", Html(inline_svg(svg, summary["name"], summary["title"]))) if svg.is_file() else \
         element("p", "No figure was drawn.", class_="banner")
     state = "" if summary["complete"] else f" ({summary['trials']} of {summary['planned']} trials)"
-    return element("section", element("h2", " · ".join(filter(None, [summary["paper_figure"], summary["title"]])), state),
-                   drawing, element("p", _link(directory, summary, out), class_="quiet"))
+    title = " · ".join(filter(None, [summary["paper_figure"], summary["title"]]))
+    return element("section", element("h2", title, state), drawing, element("p", _link(directory, summary, out), class_="quiet"))
 
 
 def _link(directory: Path, summary: Dict[str, Any], out: Path) -> Html:
