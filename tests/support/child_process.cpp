@@ -26,12 +26,13 @@ std::filesystem::path with_ending(std::filesystem::path path, const char* ending
 }
 
 /// In the child: only calls that are safe after a fork of a process with threads.
-[[noreturn]] void become(char* const* arguments, const char* out, const char* err, pid_t parent) {
+[[noreturn]] void become(char* const* arguments, const char* in, const char* out, const char* err,
+                         pid_t parent) {
   ::prctl(PR_SET_PDEATHSIG, SIGKILL);
   if (::getppid() != parent) ::_exit(kCannotStart);  // it died before prctl
   constexpr int kFlags = O_WRONLY | O_CREAT | O_TRUNC;
   constexpr mode_t kMode = 0644;
-  const int in_file = ::open("/dev/null", O_RDONLY);
+  const int in_file = ::open(in, O_RDONLY);
   const int out_file = ::open(out, kFlags, kMode);
   const int err_file = ::open(err, kFlags, kMode);
   if (in_file < 0 || out_file < 0 || err_file < 0) ::_exit(kCannotStart);
@@ -48,7 +49,7 @@ std::filesystem::path with_ending(std::filesystem::path path, const char* ending
 }  // namespace
 
 ChildProcess::ChildProcess(const std::vector<std::string>& command,
-                           const std::filesystem::path& output)
+                           const std::filesystem::path& output, const std::filesystem::path& input)
     : output_(output) {
   if (!std::filesystem::exists(command.front())) {
     throw std::system_error(ENOENT, std::generic_category(), command.front());
@@ -62,7 +63,7 @@ ChildProcess::ChildProcess(const std::vector<std::string>& command,
   const pid_t parent = ::getpid();
   pid_ = ::fork();
   if (pid_ < 0) throw std::system_error(errno, std::generic_category(), command.front());
-  if (pid_ == 0) become(arguments.data(), out.c_str(), err.c_str(), parent);
+  if (pid_ == 0) become(arguments.data(), input.c_str(), out.c_str(), err.c_str(), parent);
 }
 
 ChildProcess::ChildProcess(ChildProcess&& other) noexcept

@@ -14,9 +14,10 @@ namespace scarab::test {
 /// not stop, and the kernel kills it if the test process dies first.
 class ChildProcess {
  public:
-  /// Starts `command`; stdout and stderr go to `<output>.out` and `<output>.err`. Throws
-  /// std::system_error if it cannot be started.
-  ChildProcess(const std::vector<std::string>& command, const std::filesystem::path& output);
+  /// Starts `command`; stdin is `input`, stdout and stderr go to `<output>.out` and `<output>.err`.
+  /// Throws std::system_error if it cannot be started.
+  ChildProcess(const std::vector<std::string>& command, const std::filesystem::path& output,
+               const std::filesystem::path& input = "/dev/null");
   ChildProcess(ChildProcess&& other) noexcept;
   ChildProcess& operator=(ChildProcess&&) = delete;
   ChildProcess(const ChildProcess&) = delete;

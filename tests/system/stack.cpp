@@ -42,11 +42,11 @@ void Stack::restart(const std::string& name, std::uint32_t instance) {
   services_.emplace(key, launch(key));
 }
 
-ChildProcess Stack::conduct(const Arguments& options) const {
+ChildProcess Stack::conduct(const Arguments& options, const std::filesystem::path& input) const {
   Arguments command = command_on(options_.host, "scarab-experiment");
   command.insert(command.end(), {"--expect", expect_});
   command.insert(command.end(), options.begin(), options.end());
-  return {command, directory_ / "experiment"};
+  return {command, directory_ / "experiment", input};
 }
 
 bool Stack::stop() {

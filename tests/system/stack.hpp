@@ -34,8 +34,9 @@ class Stack {
   void kill(const std::string& name, std::uint32_t instance = 0);
   /// Starts one anew that was killed.
   void restart(const std::string& name, std::uint32_t instance = 0);
-  /// Starts the experiment service with these options.
-  [[nodiscard]] ChildProcess conduct(const Arguments& options) const;
+  /// Starts the experiment service with these options and this stdin.
+  [[nodiscard]] ChildProcess conduct(const Arguments& options,
+                                     const std::filesystem::path& input = "/dev/null") const;
   /// Ends all services that live, the logger last; true if all ended with exit code 0.
   bool stop();
 
