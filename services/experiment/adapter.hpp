@@ -29,6 +29,8 @@ class TrialWatch {
   /// Something of the trial was not seen.
   void miss(const std::string& what);
 
+  /// Its first sample has come.
+  [[nodiscard]] bool began() const { return started_.has_value(); }
   [[nodiscard]] bool ended() const { return ended_; }
   /// The last answer of the chain has come, too: there is nothing more to see.
   [[nodiscard]] bool complete() const;

@@ -117,15 +117,11 @@ void Conductor::show_changes(const Outcome& outcome, std::size_t& shown) const {
 /// A service that cannot go on, or a stack gone silent, ends the trial here: no verdict will come.
 void Conductor::watch_for_trouble(TrialWatch& watch, std::chrono::seconds silence_limit) {
   if (watch.ended()) return;
-  if (const auto fault = fault_.reason()) {
-    watch.fail(*fault);
+  if (const auto reason = fault()) {
+    watch.fail(*reason);
     return;
   }
   for (const auto& [peer, report] : board_.reports()) {
-    if (report.health == scarab_HEALTH_FAULT && !left_over(report)) {
-      watch.fail(bus::to_string(peer) + ": " + report.message);
-      return;
-    }
     if (report.health == scarab_HEALTH_WAITING && listener_.waiting) {
       listener_.waiting(bus::to_string(peer) + " " + report.message);
     }
@@ -151,15 +147,19 @@ bool Conductor::left_over(const runtime::ServiceReport& report) const {
   return report.header.stamp_ns < told_ns_ && Clock::now() - told_ < kPatience;
 }
 
-bool Conductor::service_at_fault() const {
-  const auto& reports = board_.reports();
-  return std::any_of(reports.begin(), reports.end(), [this](const auto& entry) {
-    return entry.second.health == scarab_HEALTH_FAULT && !left_over(entry.second);
-  });
+/// Why no verdict will come; nothing while all is well.
+std::optional<std::string> Conductor::fault() const {
+  if (auto reason = fault_.reason()) return reason;
+  for (const auto& [peer, report] : board_.reports()) {
+    if (report.health == scarab_HEALTH_FAULT && !left_over(report)) {
+      return bus::to_string(peer) + ": " + report.message;
+    }
+  }
+  return std::nullopt;
 }
 
 bool Conductor::recorded(const TrialWatch& watch) const {
-  if (expect_.count("logger") == 0) return true;
+  if (expect_.count("logger") == 0 || !watch.began()) return true;
   const auto* logger = board_.find({"logger", 0});
   return logger && logger->recorded_trial == watch.outcome().number &&
          logger->recorded_tick >= watch.last_tick();
@@ -171,16 +171,16 @@ void Conductor::await_record(TrialWatch& watch) {
   const auto since = Clock::now();
   const auto limit = expect_.count("supervisor") == 0 ? kPatience : kRecordLimit;
   const auto complete = [&] {
-    // Else nobody is left to say that it has ended.
-    const bool comes = watch.outcome().judged && !plant_gone_ && !at_fault() && !service_at_fault();
-    return watch.complete() || !comes || Clock::now() - since > limit;
+    if (watch.complete() || Clock::now() - since > limit) return true;
+    // Is anybody left to say that it has ended?
+    return !watch.outcome().judged || plant_gone_ || fault();
   };
   while (Clock::now() - since < kRecordLimit) {
     if (complete() && recorded(watch)) break;
     wait(kPoll);
   }
-  if (!watch.complete()) watch.miss("the last behaviour of the trial did not come");
-  if (!recorded(watch)) watch.miss("logger/0 has not recorded the last tick of the trial");
+  if (!watch.complete()) watch.miss(fault().value_or("the last behaviour did not come"));
+  if (!recorded(watch)) watch.miss("logger/0 has not recorded the last tick");
 }
 
 }  // namespace scarab::experiment

@@ -2,6 +2,7 @@
 
 #include <chrono>
 #include <functional>
+#include <optional>
 #include <stdexcept>
 #include <string>
 
@@ -55,7 +56,7 @@ class Conductor {
   void show_changes(const Outcome& outcome, std::size_t& shown) const;
   void watch_for_trouble(TrialWatch& watch, std::chrono::seconds silence_limit);
   [[nodiscard]] bool left_over(const runtime::ServiceReport& report) const;
-  [[nodiscard]] bool service_at_fault() const;
+  [[nodiscard]] std::optional<std::string> fault() const;
   [[nodiscard]] bool recorded(const TrialWatch& watch) const;
   void await_record(TrialWatch& watch);
 
