@@ -105,7 +105,7 @@ void add_worker_flag(CLI::App& app, bool& worker) {
   const std::vector<CLI::Option*> others = app.get_options();
   auto* flag = app.add_flag("--worker", worker,
                             "read one trial a line from stdin (JSON) and write its result to "
-                            "stdout, until the end of stdin (docs/experiments.md)");
+                            "stdout, until the end of stdin (services/experiment/README.md)");
   for (auto* other : others) {
     if (other != app.get_help_ptr()) flag->excludes(other);
   }
