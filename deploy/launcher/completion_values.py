@@ -6,6 +6,7 @@ from dataclasses import dataclass
 from pathlib import Path
 from typing import Callable, Dict, Iterable, List, Sequence
 
+from .experiments.experiment_file import EXPERIMENT_WORDS, known_experiments
 from .places import Places
 from .robot_choice import known_robots
 from .run_directory import RunDirectory
@@ -43,6 +44,7 @@ class Values:
             "service": lambda _: self._logs(),
             "kind": lambda _: [f.stem for f in (places.root / "config" / "schema").glob("*.json")],
             "topic": lambda _: self._topics(),
+            "experiment": lambda _: [*known_experiments(self._places.root), *EXPERIMENT_WORDS],
             "FILE": lambda start: paths(start, True),
             "file": lambda start: paths(start, True),
             "DIR": lambda start: paths(start, False),

@@ -11,7 +11,8 @@ from .experiments.backend import Backend, InProcess, Stacks
 from .experiments.configuration import Configuration, resolve_configuration
 from .experiments.directory import ExperimentDirectory
 from .experiments.dry_run import plan_text
-from .experiments.experiment_file import Experiment, find_experiment, known_experiments, read_experiment
+from .experiments.experiment_file import (EXPERIMENT_WORDS, Experiment, find_experiment,
+                                          known_experiments, read_experiment)
 from .experiments.merge import merge, name_of
 from .experiments.plan import Plan, Shard, make_plan
 from .experiments.report import write_index
@@ -26,7 +27,6 @@ from .strategies import check_strategy, strategies_of
 from .strict_yaml import did_you_mean
 from .verbs import Verbs
 
-WORDS = ("list", "all", "merge")
 _MOST_AT_A_TIME = 64
 _MORE = """NAME is one of `deploy/scarab experiment list`, or a file such as config/experiments/obstacle.yaml.
 Trials are run in process, on all cores, unless --stacks says otherwise; both give the same results,
@@ -65,6 +65,8 @@ def add_verb(verbs: Verbs) -> None:
     parser.add_argument("--shard", type=_shard, metavar="I/N", default=Shard(),
                         help="every N-th trial only, from the I-th on: for one of N machines")
     parser.add_argument("--fresh", action="store_true", help="start over: what lies in the directory is removed")
+    parser.add_argument("--no-report", dest="report", action="store_false",
+                        help="leave figures and report to deploy/report/report.py DIR, later")
     parser.add_argument("--dry-run", action="store_true", help="show what would be run")
     add_data_options(parser)
 
@@ -105,7 +107,7 @@ def _in_order(root: Path) -> List[Experiment]:
 
 
 def _file(word: str, root: Path) -> Path:
-    near = did_you_mean(word, WORDS)
+    near = did_you_mean(word, EXPERIMENT_WORDS)
     if near and not did_you_mean(word, known_experiments(root)):
         raise UsageError(f"unknown experiment '{word}'{near}")
     return find_experiment(word, root)
@@ -124,11 +126,12 @@ def _run(plans: List[Plan], options: argparse.Namespace, places: Places) -> int:
             check_directory(task, places)
     for task in tasks:
         signals.raise_if_stop_requested()
-        work(task, backend, places, signals, options.fresh)
+        work(task, backend, places, signals, options.fresh, options.report)
     if options.experiment == "all" and options.shard.whole:
-        out = _out_of_all(options, places)
-        write_index([task.directory.path for task in tasks], out)
-        print(f"\nall of them: {shown(out / 'index.html')}")
+        page = _out_of_all(options, places) / "index.html"
+        if options.report:
+            write_index([task.directory.path for task in tasks], page)
+            print(f"\nall of them: {shown(page)}")
     return EXIT_OK
 
 
@@ -162,7 +165,7 @@ def _merge(options: argparse.Namespace, places: Places) -> int:
     signals = Signals()
     paths = [Path(directory).resolve() for directory in options.directories]
     out = options.out or places.runs / "experiments" / name_of(paths[0])
-    merge(paths, out.resolve(), options.fresh, places, signals)
+    merge(paths, out.resolve(), options.fresh, options.report, places, signals)
     return EXIT_OK
 
 

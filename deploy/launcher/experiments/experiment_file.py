@@ -8,6 +8,7 @@ from ..failure import UsageError
 from ..strict_yaml import Value, did_you_mean, read_yaml
 from .declaration import DEFAULTS, EXPERIMENT, MOST_SEED, SCENE
 
+EXPERIMENT_WORDS = ("list", "all", "merge")  # in place of a name
 _FOLDER = Path("config/experiments")
 _ENDING = ".yaml"
 

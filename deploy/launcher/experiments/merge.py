@@ -27,7 +27,8 @@ class _Part:
         return shown(self.directory.path)
 
 
-def merge(paths: Sequence[Path], out: Path, fresh: bool, places: Places, signals: Signals) -> None:
+def merge(paths: Sequence[Path], out: Path, fresh: bool, with_report: bool, places: Places,
+          signals: Signals) -> None:
     """UsageError for directories that do not make one whole: it says which shard is missing, doubled, unfinished, or of
     something else."""
     parts = [_read(path) for path in paths]
@@ -41,7 +42,8 @@ def merge(paths: Sequence[Path], out: Path, fresh: bool, places: Places, signals
         results = _write(parts, directory)
         print(f"{parts[0].record.name}: {len(results)} trials of {len(parts)} shards, of which "
               f"{sum(r.success for r in results)} succeeded")
-        draw_report(places, out, signals)
+        if with_report:
+            draw_report(places, out, signals)
         say_where(out)
 
 

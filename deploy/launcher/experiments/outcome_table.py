@@ -1,6 +1,5 @@
 """What came of an experiment, as a small table for the screen."""
 
-from statistics import fmean
 from typing import Callable, Dict, List, Sequence, Tuple
 
 from .plan import Plan, PlannedTrial, Section
@@ -65,7 +64,7 @@ def _successes(results: List[Result]) -> str:
 
 def _mean_time(results: List[Result]) -> str:
     times = [r.time_s for r in results if r.success]
-    return f"{fmean(times):.1f}" if times else "-"
+    return f"{sum(times) / len(times):.1f}" if times else "-"
 
 
 def _name(key: str) -> str:

@@ -26,10 +26,10 @@ def draw_report(places: Places, directory: Path, signals: Signals) -> None:
                           f"once that is mended, draw it with {shown(script)} {shown(directory)}")
 
 
-def write_index(directories: Sequence[Path], out: Path) -> None:
-    """The page of `experiment all`."""
+def write_index(directories: Sequence[Path], page: Path) -> None:
+    """One page over all of them."""
     from report import write_index as write  # deploy/report is on the path, as deploy/launcher is
-    write(list(directories), out)
+    write(list(directories), page)
 
 
 def say_where(directory: Path) -> None:

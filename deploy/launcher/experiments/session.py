@@ -42,8 +42,9 @@ def check_directory(task: Task, places: Places) -> None:
     _record_of(task, places)
 
 
-def work(task: Task, backend: Backend, places: Places, signals: Signals, fresh: bool) -> None:
-    """Runs what has not been run yet, and draws the report. Failure where a trial cannot be run, Interrupted on a
+def work(task: Task, backend: Backend, places: Places, signals: Signals, fresh: bool,
+         with_report: bool) -> None:
+    """Runs what has not been run yet, and draws the report if it should. Failure where a trial cannot be run, Interrupted on a
     request to stop: everything so far is kept, and another call goes on."""
     directory = task.directory
     with directory.alone():
@@ -59,7 +60,7 @@ def work(task: Task, backend: Backend, places: Places, signals: Signals, fresh: 
         _say_what_comes(record, len(done), len(left), backend, directory)
         if left:
             _run(task, record, backend, done, left, places, signals)
-        _finish(task, record, trials, places, signals)
+        _finish(task, record, with_report, places, signals)
 
 
 def _record_of(task: Task, places: Places) -> Record:
@@ -135,12 +136,13 @@ def _run(task: Task, record: Record, backend: Backend, done: List[Result], left:
           f"{duration(session.wall_s)} ({estimate.speed or 0:.0f} x real time)")
 
 
-def _finish(task: Task, record: Record, trials: List[PlannedTrial], places: Places, signals: Signals) -> None:
+def _finish(task: Task, record: Record, with_report: bool, places: Places,
+            signals: Signals) -> None:
     results = _write_results(task.directory, record)
     print(f"\n{outcome_tables(task.plan, results)}\n", flush=True)
     if record.shard:
         print(f"when all {record.the_shard().of} shards are there: deploy/scarab experiment merge DIR... --out DIR")
-    else:
+    elif with_report:
         draw_report(places, task.directory.path, signals)
     say_where(task.directory.path)
 

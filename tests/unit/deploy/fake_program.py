@@ -1,10 +1,12 @@
 #!/usr/bin/python3
 """Stands in for every compiled program of the stack in the launcher's tests.
 
-It is installed under the programs' names into a folder of the test. What it does is told by files in
-`<folder>/orders/`, and it writes what it lived through to `<folder>/journal`.
+It is installed into a folder of the test, behind a script with each program's name (fake_program.sh), which answers
+the quick questions itself. What it does is told by files in `<folder>/orders/`, and it writes what it lived through
+to `<folder>/journal`.
 """
 
+import json
 import os
 import signal
 import sys
@@ -12,7 +14,7 @@ import time
 from pathlib import Path
 
 FOLDER = Path(__file__).resolve().parent
-NAME = Path(sys.argv[0]).name
+NAME = Path(sys.argv[0]).stem
 
 
 def journal(word):
@@ -115,6 +117,53 @@ def experiment():
     return int(order("exit-code") or 0)
 
 
+def withdraw_one(word):
+    """Takes one of an order's times away; False where it has none (left)."""
+    file = FOLDER / "orders" / f"{NAME}.{word}"
+    times = int(order(word) or 0)
+    if times > 0:
+        file.write_text(str(times - 1))
+    return times > 0
+
+
+def result_of(trial):
+    """A deterministic one: trials across 10 cm and more fail."""
+    success = trial["height_m"] < 0.1
+    return json.dumps({**trial, "success": success, "time_s": 12.5 + trial["seed"] % 7 if success else 60,
+                       "reason": "across, at last" if success else "time is up",
+                       "object_travel_m": 0.1 + trial["index"] / 3, "object_sideways_m": 1e-17,
+                       "trunk_travel_m": 1.5, "heading_rad": -0.25, "heading_max_rad": 0.5, "climb_s": 2,
+                       "mode1_s": 2.5, "mode2_s": None})
+
+
+def worker():
+    """As scarab-sim and scarab-experiment with --worker."""
+    journal("start")
+    (FOLDER / f"{NAME}.command").write_text("\n".join(sys.argv[1:]))
+    if order("refuse-trials"):
+        print(json.dumps({"error": order("refuse-trials")}), flush=True)
+        return 2
+    for line in sys.stdin:
+        trial = json.loads(line)
+        while order("hold"):
+            time.sleep(0.01)
+        if withdraw_one("die"):
+            os.kill(os.getpid(), signal.SIGKILL)
+        if withdraw_one("error"):
+            print(json.dumps({"index": trial["index"], "error": "plant is silent"}), flush=True)
+            return 1
+        if withdraw_one("nonsense"):
+            print("a line of the debugger", flush=True)
+        time.sleep(float(order("slow") or 0))
+        with open(FOLDER / "trials", "a") as file:
+            print(trial["index"], file=file)
+        print(result_of(trial), flush=True)
+    if value_of("--output"):
+        Path(value_of("--output")).write_text("log\n")
+    journal("stop")
+    return 0
+
+
 def tool():
     """Ends as it is told to; one told to hold ends as all tools do when they are interrupted."""
     (FOLDER / f"{NAME}.command").write_text("\n".join(sys.argv[1:]))
@@ -129,14 +178,8 @@ def tool():
 
 
 def main():
-    if "--check" in sys.argv:
-        if order("refuse"):
-            print(order("refuse"), file=sys.stderr)
-            return 2
-        return 0
-    if "--dump-config" in sys.argv:
-        print("strategies: {soft: {}, soft+hard: {}}" if NAME == "scarab-supervisor" else "resolved: true")
-        return 0
+    if "--worker" in sys.argv:
+        return worker()
     if NAME == "scarab-status":
         return status()
     if NAME == "scarab-experiment":

@@ -15,7 +15,7 @@ SCARAB = SOURCE_ROOT / "deploy" / "scarab"
 PATIENCE_S = 30.0
 PROGRAMS = ("scarab-logger", "scarab-plant", "scarab-premotor", "scarab-supervisor",
             "scarab-status", "scarab-experiment", "scarab-log", "scarab-operator", "scarab-sim",
-            "scarab-topic", "scarab-drive")
+            "scarab-topic", "scarab-drive", "scarab-config")
 
 sys.path.insert(0, str(SOURCE_ROOT / "deploy"))
 
@@ -51,8 +51,9 @@ class FakeStackTest(unittest.TestCase):
         self.runs = self.folder / "runs"
         (self.bin / "orders").mkdir(parents=True)
         for name in PROGRAMS:
-            shutil.copy(SOURCE_ROOT / "tests/unit/deploy/fake_program.py", self.bin / name)
+            shutil.copy(SOURCE_ROOT / "tests/unit/deploy/fake_program.sh", self.bin / name)
             (self.bin / name).chmod(0o755)
+            shutil.copy(SOURCE_ROOT / "tests/unit/deploy/fake_program.py", self.bin / f"{name}.py")
         self.stack_file = self.folder / "stack.yaml"
         self.stack_file.write_text(STACK)
         self.addCleanup(self._end_everything)

@@ -6,6 +6,7 @@ import signal
 import subprocess
 import unittest
 
+from experiment_case import EXPERIMENT
 from fake_stack import SCARAB, SOURCE_ROOT, FakeStackTest, wait_until
 from launcher.cli import all_verbs
 
@@ -33,9 +34,12 @@ class Commands(FakeStackTest):
         self.words = ("--domain", str(Commands.domain))
         config = self.folder / "any.yaml"
         config.write_text("")
+        tiny = self.folder / "tiny.yaml"
+        tiny.write_text(EXPERIMENT)
+        self.tiny = (str(tiny), "--no-report", "--out", str(self.folder / "out"))
         text = self.stack_file.read_text()
         for name in ("plant", "premotor"):
-            text = text.replace(f"scarab-{name},", f"scarab-{name}, config: {config},")
+            text = text.replace(f"scarab-{name},", f"scarab-{name}, config: {config}, robot: {config},")
         self.stack_file.write_text(text.replace(
             "profiles:", f"  supervisor: {{binary: scarab-supervisor, config: {config}, instances: 1, "
             "restart: always, stop_s: 20}\nprofiles:").replace(
@@ -45,7 +49,7 @@ class Commands(FakeStackTest):
         return self.scarab(verb, *self.where(verb), *words)[0]
 
     def where(self, verb):
-        return () if verb in ("sim", "completion") else self.words
+        return () if verb in ("sim", "completion", "experiment") else self.words
 
     def interrupted(self, verb, *words):
         """Ends the verb by Ctrl-C once a program of it runs."""
@@ -78,6 +82,10 @@ class Commands(FakeStackTest):
         self.order("scarab-sim", "exit-code", "1")
         self.expect("run", 1, self.code_of("run"))
         self.expect("sim", 1, self.code_of("sim"))
+        self.order("scarab-sim", "error", "100")
+        self.expect("experiment", 1, self.code_of("experiment", *self.tiny))
+        self.withdraw("scarab-sim", "error")
+        self.expect("experiment", 0, self.code_of("experiment", *self.tiny))
         self.withdraw("scarab-experiment", "exit-code")
         self.withdraw("scarab-sim", "exit-code")
         self.expect("run", 0, self.code_of("run"))
@@ -105,6 +113,7 @@ class Commands(FakeStackTest):
         self.withdraw("scarab-status", "hold")
         self.order("scarab-sim", "hold")
         self.expect("sim", 130, self.interrupted("sim"))
+        self.expect("experiment", 130, self.interrupted("experiment", *self.tiny, "--fresh"))
 
 
 class Page(unittest.TestCase):

@@ -147,6 +147,8 @@ COMPLETED = (
     ("deploy/scarab topic ec", "deploy/scarab topic echo"),
     ("deploy/scarab topic echo scarab/wo", "deploy/scarab topic echo scarab/world_state"),
     ("deploy/scarab topic echo --format j", "deploy/scarab topic echo --format json"),
+    ("deploy/scarab experiment transp", "deploy/scarab experiment transport_speed"),
+    ("deploy/scarab experiment merge pl", "deploy/scarab experiment merge plants/"),
     ("deploy/scarab completion z", "deploy/scarab completion zsh"),
     ("WHO=me deploy/scarab dow", "WHO=me deploy/scarab down"))
 

@@ -16,7 +16,9 @@ PLACES = ("--stack", "--bin", "--runs")  # which demo does not have: it runs wha
 
 GOOD = (["--height", "0.10"], ["--height=.08"], ["--height", "0"], ["--strategy", "boxing+hard"],
         ["--seed", "18446744073709551615"], ["--trials", "10", "--no-perturbation"],
-        ["--goal", "travel", "--distance", "1e0"], ["--domain", "7"], ["--realtime"],
+        ["--goal", "travel", "--distance", "1e0"], ["--goal=walk", "--height", "0"],
+        ["--perturb-position", "0", "--perturb-yaw", "3.14", "--perturb-friction", ".25"],
+        ["--friction-scale", "1.25", "--object-mass", "3", "--object-diameter", "0.22"], ["--domain", "7"], ["--realtime"],
         ["--lockstep", "--robot", "beetle"], ["--replicas", "premotor=2"],
         ["--replicas=premotor=2,supervisor=1"], ["--interface", "lo"], ["--profile", "control-host"],
         ["--config", f"plant={SOURCE_ROOT}/config/plant/beetle.yaml"])
@@ -28,7 +30,10 @@ BAD = (["--height"], ["--height", "high"], ["--height", "nan"], ["--height", "-0
        ["--realtime", "--lockstep"], ["--realtime=1"], ["--robot", "betle"], ["--robot", ""],
        ["--replicas", "premotor"], ["--replicas", "premotor=0"], ["--replicas", "premotor=9"],
        ["--replicas", "premotor=2,"], ["--config", "plant"], ["--config", "plant=/no/such/file"],
-       ["--profile", "a b"], ["--domain", "231"], ["--no-perturbation=1"], ["--heigth", "0.1"], ["nonsense"])
+       ["--profile", "a b"], ["--domain", "231"], ["--no-perturbation=1"],
+       ["--perturb-position", "0.21"], ["--perturb-yaw", "180"], ["--perturb-friction", "1"],
+       ["--friction-scale", "0"], ["--object-mass", "-1"], ["--object-diameter", "2"], ["--row", "3"],
+       ["--row", "/no/such.csv:3"], ["--row", f"{SOURCE_ROOT}/README.md:x"], ["--heigth", "0.1"], ["nonsense"])
 # Whatever sets up or builds goes through one of these.
 TOUCHING = ("apt-get", "dpkg-query", "sudo", "cmake", "ninja", "mkdir")
 
