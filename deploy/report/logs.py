@@ -32,15 +32,20 @@ class Logs:
         self._directory = directory
         self._bin = bin
         self._found: Optional[Dict[tuple, Recorded]] = None
+        # What has been read: figures and findings ask for the same.
+        self._tables: Dict[tuple, Dict[str, List[str]]] = {}
 
     def samples(self, trial: Conditions, topic: str, fields: Sequence[str]) -> Dict[str, List[str]]:
-        """Columns over samples, `header.sim_time_ns` among them. ReportError where nothing is recorded."""
+        """Columns over samples, not to be changed; `header.sim_time_ns` is one. ReportError where nothing is recorded."""
         recorded = self._recorded(trial)
         if recorded is None:
             raise ReportError(f"{self._directory} has no log of {trial.strategy}, seed {trial.seed}, "
                               f"{_shown_height(trial.height_m)}")
         wanted = [word for field in ("header.sim_time_ns", *fields) for word in ("--field", field)]
-        return self._read(recorded.file, topic, "--trial", str(recorded.trial), *wanted)
+        key = (recorded, topic, tuple(fields))
+        if key not in self._tables:
+            self._tables[key] = self._read(recorded.file, topic, "--trial", str(recorded.trial), *wanted)
+        return self._tables[key]
 
     def has(self, trial: Conditions) -> bool:
         return self._recorded(trial) is not None

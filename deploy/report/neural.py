@@ -50,7 +50,7 @@ def recording(experiment: Experiment, strategy: str) -> Recording:
         raise ReportError(f"no trial of {strategy} is planned")
     table = experiment.logs.samples(trial, "neural_activity", _FIELDS)
     columns = {name: [float(value) for value in values] for name, values in table.items()}
-    time_s = [nanoseconds * 1e-9 for nanoseconds in columns.pop("header.sim_time_ns")]
+    time_s = [nanoseconds * 1e-9 for nanoseconds in columns["header.sim_time_ns"]]
     if len(time_s) < 2 * SETTLE_TICKS:
         raise ReportError(f"the log of {strategy} has {len(time_s)} ticks; {2 * SETTLE_TICKS} are needed")
     return Recording(strategy, time_s, columns)

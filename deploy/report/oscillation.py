@@ -41,7 +41,7 @@ def delayed_correlation(output: Sequence[float], source: Sequence[float], delay:
 class Orbit:
     """A trajectory about the origin of a plane, sampled once a tick."""
 
-    period_ticks: float
+    period_ticks: float  # infinite where it does not turn
     clockwise: bool
     scatter: float  # largest distance of a state from the curve through its neighbours, share of the mean radius
     nearest_return: float  # smallest distance between two states, share of the mean radius
@@ -55,11 +55,14 @@ class Orbit:
 def orbit(x: Sequence[float], y: Sequence[float]) -> Orbit:
     """Needs some turns about the origin; at least 30 states."""
     states = [complex(a, b) for a, b in zip(x, y)]
-    turns = [cmath.phase(after / before) for before, after in zip(states, states[1:])]
+    turns = [cmath.phase(after * before.conjugate()) for before, after in zip(states, states[1:])]
     advance = math.fsum(turns) / len(turns)
     radius = math.fsum(abs(state) for state in states) / len(states)
     nearest = min(abs(a - b) for i, a in enumerate(states) for b in states[:i])
-    return Orbit(abs(2 * math.pi / advance), advance < 0, _scatter(states) / radius, nearest / radius)
+    if radius < 1e-9:
+        return Orbit(math.inf, False, 0.0, 0.0)
+    period = abs(2 * math.pi / advance) if abs(advance) > 1e-6 else math.inf
+    return Orbit(period, advance < 0, _scatter(states) / radius, nearest / radius)
 
 
 def _scatter(states: List[complex]) -> float:
@@ -70,7 +73,7 @@ def _scatter(states: List[complex]) -> float:
     around = sorted(states, key=cmath.phase)
     worst = 0.0
     for before, state, after in zip(around, around[1:], around[2:]):
-        span = cmath.phase(after / before)
-        share = cmath.phase(state / before) / span if span > 1e-12 else 0.5
+        span = cmath.phase(after * before.conjugate())
+        share = cmath.phase(state * before.conjugate()) / span if span > 1e-12 else 0.5
         worst = max(worst, abs(abs(state) - (1 - share) * abs(before) - share * abs(after)))
     return worst

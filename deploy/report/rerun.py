@@ -16,7 +16,10 @@ def row_command(directory: Path, trial: Conditions) -> str:
 
 
 def rerun_command(trial: Conditions, robot: str = "") -> str:
-    """Without the table: every condition is said."""
+    """Without the table: every condition is said. Empty for conditions that no options can say."""
+    perturbed = (trial.perturb_position_m, trial.perturb_yaw_rad, trial.perturb_friction)
+    if not trial.perturb_cpg_phase and any(perturbed):
+        return ""
     words = ["deploy/scarab sim", *([f"--robot {robot}"] if robot else []), f"--strategy {trial.strategy}",
              f"--height {exact(trial.height_m)}", f"--goal {trial.goal}"]
     if trial.goal in ("travel", "walk"):

@@ -1,5 +1,6 @@
 """Fig. 2: outputs of the central pattern generator over time, and its phase portrait."""
 
+import math
 from pathlib import Path
 from typing import List
 
@@ -7,6 +8,7 @@ import matplotlib.pyplot as plt
 from matplotlib.axes import Axes
 
 from ..experiment import Experiment
+from ..failure import ReportError
 from ..findings.neural import cpg
 from ..neural import SETTLE_TICKS
 from ..oscillation import amplitude
@@ -17,6 +19,8 @@ _SHOWN_TICKS = 70
 
 def draw(experiment: Experiment, prefix: Path) -> List[Path]:
     found, orbit, c1, c2 = cpg(experiment)
+    if math.isinf(orbit.period_ticks):
+        raise ReportError("the outputs of the CPG do not turn about the origin")
     with journal_style():
         figure, (time, phase) = plt.subplots(1, 2, figsize=(PAGE, 2.75), layout="constrained",
                                              gridspec_kw={"width_ratios": [1.75, 1.0]})

@@ -38,6 +38,8 @@ def journal_style() -> Iterator[None]:
 
 def save(figure: Figure, prefix: Path) -> List[Path]:
     """<prefix>.svg and <prefix>.png, without date or program; the figure is closed."""
+    figure.draw_without_rendering()
+    figure.set_layout_engine("none")  # it has done its work: once, not for each file
     files = [Path(f"{prefix}.svg"), Path(f"{prefix}.png")]
     figure.savefig(files[0], metadata={"Date": None, "Creator": None})
     figure.savefig(files[1], dpi=220, metadata={"Software": None})

@@ -2,19 +2,21 @@
 
 import math
 from pathlib import Path
-from typing import Dict, List
+from typing import Dict, List, Tuple
 
 import matplotlib.pyplot as plt
 from matplotlib.axes import Axes
+from matplotlib.figure import Figure
 
 from ..experiment import Experiment
 from ..failure import ReportError
 from ..findings.walking import BAND_DEG
 from ..walk import Walk, read_walk
 from .spread_out import spread_out
-from .style import GREY, INK, PAGE, RULE, journal_style, letter, mode_style, save, sign
+from .style import COLUMN, GREY, INK, PAGE, RULE, journal_style, letter, mode_style, save, sign
 
 _LINES = ("-", (0, (4, 1.5)))
+_THINNED = 5  # every fifth sample is drawn: 10 a second
 
 
 def draw(experiment: Experiment, prefix: Path) -> List[Path]:
@@ -26,34 +28,46 @@ def draw(experiment: Experiment, prefix: Path) -> List[Path]:
                         for trial in cell.trials if experiment.logs.has(trial.asked)] for strategy in strategies}
     with journal_style():
         if any(walks.values()):
-            figure, axes = plt.subplots(1, 3, figsize=(PAGE, 2.9), layout="constrained",
-                                        gridspec_kw={"width_ratios": [1.35, 1.35, 0.8]})
-            _from_above(axes[0], walks)
-            _heading(axes[1], walks)
-            letter(axes[0], "a", "from above")
-            letter(axes[1], "b", "heading on the way")
-            letter(axes[2], "c", "largest turn")
+            figure, turn = _with_ways(walks)
         else:
-            figure, axis = plt.subplots(figsize=(PAGE / 2, 2.9), layout="constrained")
-            axes = [axis]
-        _largest_turn(axes[-1], experiment, strategies)
+            figure, turn = plt.subplots(figsize=(COLUMN, 2.9), layout="constrained")
+        _largest_turn(turn, experiment, strategies)
         count = max(cell.n for cell in experiment.cells)
         sign(figure, experiment.plan.trials, f"{count} trials a direction")
         return save(figure, prefix)
 
 
+def _with_ways(walks: Dict[str, List[Walk]]) -> Tuple[Figure, Axes]:
+    """Draws all but the last panel, and gives its axes."""
+    figure = plt.figure(figsize=(PAGE, 4.6), layout="constrained")
+    grid = figure.add_gridspec(2, len(walks) + 1, height_ratios=[1.0, 1.3], width_ratios=[1.3] * len(walks) + [1.0])
+    above = figure.add_subplot(grid[0, :])
+    _from_above(above, walks)
+    letter(above, "a", "ways of the trunk from above; grey: a straight way within 10° of the first heading")
+    first = None
+    for column, (strategy, found) in enumerate(walks.items()):
+        first = axis = figure.add_subplot(grid[1, column], sharey=first)
+        _heading(axis, strategy, found)
+        letter(axis, "bcd"[column], f"{strategy.replace('walk-', '')}: heading")
+        axis.tick_params(labelleft=column == 0)
+        if column == 0:
+            axis.set_ylabel("heading against the first [°]")
+    turn = figure.add_subplot(grid[1, -1])
+    letter(turn, "bcd"[len(walks)], "largest turn")
+    return figure, turn
+
+
 def _from_above(axis: Axes, walks: Dict[str, List[Walk]]) -> None:
-    reach = max(max(walk.distance_m) for found in walks.values() for walk in found)
     for (strategy, found), line in zip(walks.items(), _LINES):
         for i, walk in enumerate(found):
-            axis.plot(walk.x_m, walk.y_m, color=mode_style(strategy)[0], linestyle=line, linewidth=0.7,
-                      label=strategy.replace("walk-", "") if i == 0 else None)
-    _cone(axis, reach)
+            axis.plot(walk.x_m[::_THINNED], walk.y_m[::_THINNED], color=mode_style(strategy)[0], linestyle=line,
+                      linewidth=0.7, label=strategy.replace("walk-", "") if i == 0 else None)
+    _cone(axis, max(max(walk.distance_m) for found in walks.values() for walk in found))
     axis.plot(0, 0, marker="o", markersize=3, color=INK)
     axis.set_xlabel("along the first heading [m]")
     axis.set_ylabel("to the left [m]")
     axis.set_aspect("equal", adjustable="datalim")
-    axis.legend(loc="upper center", ncol=2)
+    axis.legend(loc="lower left", ncol=2)
 
 
 def _cone(axis: Axes, reach_m: float) -> None:
@@ -63,15 +77,13 @@ def _cone(axis: Axes, reach_m: float) -> None:
         axis.fill([0, x, x], [0, side, -side], color="#ececec", linewidth=0, zorder=-1)
 
 
-def _heading(axis: Axes, walks: Dict[str, List[Walk]]) -> None:
+def _heading(axis: Axes, strategy: str, found: List[Walk]) -> None:
     axis.axhspan(-BAND_DEG, BAND_DEG, color="#ececec", linewidth=0, zorder=-1)
-    for (strategy, found), line in zip(walks.items(), _LINES):
-        for walk in found:
-            axis.plot(walk.distance_m, [math.degrees(angle) for angle in walk.heading_rad],
-                      color=mode_style(strategy)[0], linestyle=line, linewidth=0.7)
+    for walk in found:
+        axis.plot(walk.distance_m[::_THINNED], [math.degrees(angle) for angle in walk.heading_rad[::_THINNED]],
+                  color=mode_style(strategy)[0], linewidth=0.5, alpha=0.7)
     axis.axhline(0, color=RULE, linewidth=0.5, zorder=0)
     axis.set_xlabel("distance from the start [m]")
-    axis.set_ylabel("heading against the first [°]")
 
 
 def _largest_turn(axis: Axes, experiment: Experiment, strategies: List[str]) -> None:
@@ -88,7 +100,7 @@ def _largest_turn(axis: Axes, experiment: Experiment, strategies: List[str]) -> 
                       va="top")
     axis.set_xticks(range(len(strategies)), [strategy.replace("walk-", "") for strategy in strategies])
     axis.set_xlim(-0.5, len(strategies) - 0.5)
-    axis.set_ylim(0, max(axis.get_ylim()[1], BAND_DEG) * 1.18)
+    axis.set_ylim(0, max([BAND_DEG, *axis.get_ylim()]) * 1.18)
     axis.set_ylabel("largest turn in a trial [°]")
-    axis.annotate(f"within {BAND_DEG:g}°", (0.5, BAND_DEG), xycoords=("axes fraction", "data"), xytext=(0, -2),
-                  textcoords="offset points", ha="center", va="top", fontsize=6.5, color=GREY)
+    axis.annotate(f"within {BAND_DEG:g}°", (0.5, 0), xycoords=("axes fraction", "data"), xytext=(0, 2),
+                  textcoords="offset points", ha="center", va="bottom", fontsize=6.5, color=GREY)

@@ -3,6 +3,7 @@
 import math
 
 from ..experiment import Experiment
+from ..intervals import mean
 from ..wording import counted, failures
 from .finding import Finding, Source, Verdict, graded
 
@@ -17,14 +18,15 @@ def _keeps_heading(experiment: Experiment, strategy: str, word: str) -> Finding:
     turned = [math.degrees(trial.heading_max_rad) for trial in trials]
     inside = [angle <= BAND_DEG and trial.success for angle, trial in zip(turned, trials)]
     cells = experiment.of(strategy)
-    numbers = [f"{sum(inside)}/{len(trials)} stay within {BAND_DEG:g}° and arrive",
-               f"largest turn: mean {sum(turned) / len(turned):.1f}°, worst {max(turned):.1f}°"]
-    numbers += [f"arrive: {counted(cell)}" for cell in cells]
-    reason = failures(cells)
-    if not all(inside):
-        left = sum(trial.heading_rad > 0 for trial in trials)
-        reason = "; ".join(filter(None, [
-            f"{left} of {len(trials)} turn left in the end, {len(trials) - left} right", reason]))
+    end = [math.degrees(trial.heading_rad) for trial in trials]
+    numbers = [f"{sum(inside)}/{len(trials)} arrive and are within {BAND_DEG:g}° all the way, the sway of steps "
+               "included",
+               f"largest turn on the way: mean {mean(turned):.1f}°, worst {max(turned):.1f}°",
+               f"at the end: mean {mean(end):+.1f}° (+ left), from {min(end):+.1f}° to {max(end):+.1f}°",
+               *(f"arrive: {counted(cell)}" for cell in cells)]
+    kept = sum(abs(angle) <= BAND_DEG for angle in end)
+    reason = "" if all(inside) else "; ".join(filter(None, [
+        f"{kept} of {len(trials)} are within {BAND_DEG:g}° at the end", failures(cells)]))
     return Finding(f"walks_{word}", statement, graded(inside), numbers, reason, Source.AIM)
 
 

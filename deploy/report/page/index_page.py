@@ -54,7 +54,8 @@ def _figure(directory: Path, summary: Dict[str, Any], out: Path) -> Html:
         element("p", "No figure was drawn.", class_="banner")
     state = "" if summary["complete"] else f" ({summary['trials']} of {summary['planned']} trials)"
     title = " · ".join(filter(None, [summary["paper_figure"], summary["title"]]))
-    return element("section", element("h2", title, state), drawing, element("p", _link(directory, summary, out), class_="quiet"))
+    link = element("p", _link(directory, summary, out), class_="quiet")
+    return element("section", element("h2", title, state), drawing, link)
 
 
 def _link(directory: Path, summary: Dict[str, Any], out: Path) -> Html:

@@ -84,7 +84,7 @@ def _measured(experiment: Experiment, directory: Path) -> Html:
     return element(
         "section", element("h2", "How it was measured"), command(plan.command), element("dl", *items),
         element("p", "Any one trial again, here the first, by its row; or the same without the table:"),
-        command(f"{row_command(directory, first)}\n{rerun_command(first, plan.robot)}"),
+        command(f"{row_command(directory, first)}\n{rerun_command(first, plan.robot)}".strip()),
         element("p", "The figures and this page again:"), command(f"deploy/report/report.py {directory}"))
 
 

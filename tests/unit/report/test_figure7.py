@@ -11,10 +11,11 @@ from pathlib import Path
 
 SOURCE_ROOT = Path(__file__).resolve().parents[3]
 SCRIPT = SOURCE_ROOT / "deploy" / "plot" / "figure7.py"
-sys.path.insert(0, str(SCRIPT.parent))
+sys.path.insert(0, str(SOURCE_ROOT / "deploy"))
 
-from figure7_panels import spans  # noqa: E402
-from signal_table import SignalTableError, join_tables, read_table  # noqa: E402
+from report.failure import ReportError  # noqa: E402
+from report.figures.sequence import spans  # noqa: E402
+from report.signal_table import join_tables, read_table  # noqa: E402
 
 BEHAVIOURS = (("APPROACH", "BACKWARD", 20), ("CLIMB", "BACKWARD", 8), ("MODE_1", "SOFT_PUSH", 60),
               ("MODE_2", "HARD_PUSH", 40), ("DONE", "STOP", 1))
@@ -103,9 +104,9 @@ class Figure7(unittest.TestCase):
         self.assertEqual(done.returncode, 1)
         self.assertRegex(done.stderr, r"^figure7\.py: .* have no tick in common\n$")
         self.behaviour.write_text("state\n")
-        with self.assertRaisesRegex(SignalTableError, "has no column header.sim_time_ns, mode"):
+        with self.assertRaisesRegex(ReportError, "has no column header.sim_time_ns, mode"):
             join_tables(self.behaviour, self.robot_state)
-        with self.assertRaisesRegex(SignalTableError, "has no column"):
+        with self.assertRaisesRegex(ReportError, "has no column"):
             read_table(self.robot_state)
 
 
