@@ -28,8 +28,15 @@ Vector3d leg_part(const SpeedVector& v, std::size_t leg) {
 
 }  // namespace
 
-void BranchSolver::couple(std::size_t leg, std::size_t other) {
-  coupled_[std::min(leg, other)][std::max(leg, other)] = true;
+void BranchSolver::begin() {
+  coupled_ = {};
+  root_rows_.fill(kRootWithoutObject);
+}
+
+void BranchSolver::couple(const SolidId& a, const SolidId& b) {
+  if (!is_leg(b.solid)) return;
+  if (is_leg(a.solid)) coupled_[std::min(a.leg, b.leg)][std::max(a.leg, b.leg)] = true;
+  if (a.solid == Solid::kObject) root_rows_[b.leg] = kRoot;
 }
 
 void BranchSolver::gather(const SpeedMatrix& system) {
@@ -59,15 +66,29 @@ void BranchSolver::gather(const SpeedMatrix& system) {
   }
 }
 
+/// root -= multiplier to_root^T: the lower triangle, two rows at a time.
+void BranchSolver::reduce_root(std::size_t leg) {
+  const RootLeg& multiplier = root_multiplier_[leg];
+  const RootLeg& entry = to_root_[leg];
+  for (int j = 0; j < root_rows_[leg]; ++j) {
+    for (int i = j & ~1; i < root_rows_[leg]; i += 2) {
+      root_.block<2, 1>(i, j) -= multiplier.block<2, 1>(i, 0) * entry(j, 0) +
+                                 multiplier.block<2, 1>(i, 1) * entry(j, 1) +
+                                 multiplier.block<2, 1>(i, 2) * entry(j, 2);
+    }
+  }
+}
+
 void BranchSolver::eliminate(std::size_t leg) {
   inverse_[leg] = diagonal_[leg].inverse();
   root_multiplier_[leg].noalias() = to_root_[leg].lazyProduct(inverse_[leg]);
-  root_.noalias() -= root_multiplier_[leg].lazyProduct(to_root_[leg].transpose());
+  reduce_root(leg);
   for (std::size_t a = leg + 1; a < kLegCount; ++a) {
     if (!coupled_[leg][a]) continue;
     Matrix3d& multiplier = leg_multiplier_[leg][a];
     multiplier = to_leg_[leg][a] * inverse_[leg];
     diagonal_[a] -= multiplier * to_leg_[leg][a].transpose();
+    root_rows_[a] = std::max(root_rows_[a], root_rows_[leg]);
     to_root_[a].noalias() -= to_root_[leg].lazyProduct(multiplier.transpose());
     for (std::size_t b = leg + 1; b < a; ++b) {
       if (!coupled_[leg][b]) continue;
@@ -78,14 +99,16 @@ void BranchSolver::eliminate(std::size_t leg) {
   }
 }
 
-/// L D L^T in the lower triangle.
+/// L D L^T in the lower triangle, two rows at a time.
 void BranchSolver::factor_root() {
   for (int k = 0; k < kRoot; ++k) {
     const double inverse = 1 / root_(k, k);
     root_inverse_diagonal_(k) = inverse;
     for (int j = k + 1; j < kRoot; ++j) {
       const double multiplier = root_(j, k) * inverse;
-      for (int i = j; i < kRoot; ++i) root_(i, j) -= multiplier * root_(i, k);
+      for (int i = j & ~1; i < kRoot; i += 2) {
+        root_.block<2, 1>(i, j) -= multiplier * root_.block<2, 1>(i, k);
+      }
     }
     for (int i = k + 1; i < kRoot; ++i) root_(i, k) *= inverse;
   }

@@ -4,6 +4,7 @@
 #include <array>
 
 #include "services/plant/core/bodies.hpp"
+#include "services/plant/core/contact.hpp"
 
 namespace scarab::plant {
 
@@ -16,11 +17,11 @@ namespace scarab::plant {
 /// time.
 class BranchSolver {
  public:
-  /// Forgets which legs touch; call before couple().
-  void begin() { coupled_ = {}; }
+  /// Forgets what touches; call before couple().
+  void begin();
 
-  /// Says that A has entries between two legs (slots).
-  void couple(std::size_t leg, std::size_t other);
+  /// Says that A has entries between the speeds of two solids.
+  void couple(const SolidId& a, const SolidId& b);
 
   /// `system`: symmetric and positive definite, its lower triangle is read.
   void factor(const SpeedMatrix& system);
@@ -31,12 +32,14 @@ class BranchSolver {
   // Even sizes, so that columns stay aligned: the last row and column of the root are the
   // identity's.
   static constexpr int kRoot = 14;
+  static constexpr int kRootWithoutObject = 8;  ///< covers trunk and backbone
   using Root = Eigen::Matrix<double, kRoot, 1>;
   using RootMatrix = Eigen::Matrix<double, kRoot, kRoot>;
   using RootLeg = Eigen::Matrix<double, kRoot, 3>;
 
   void gather(const SpeedMatrix& system);
   void eliminate(std::size_t leg);
+  void reduce_root(std::size_t leg);
   void factor_root();
   void solve_root(Root& x) const;
 
@@ -46,6 +49,7 @@ class BranchSolver {
   std::array<std::array<Eigen::Matrix3d, robot::kLegCount>, robot::kLegCount> to_leg_,
       leg_multiplier_;  ///< [leg][later leg]
   std::array<std::array<bool, robot::kLegCount>, robot::kLegCount> coupled_{};  ///< as above
+  std::array<int, robot::kLegCount> root_rows_{};  ///< of to_root_ that are not 0
   RootMatrix root_;
   Root root_inverse_diagonal_;
 };

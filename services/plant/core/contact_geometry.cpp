@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 #include <utility>
 
 namespace scarab::plant {
@@ -11,6 +12,8 @@ using Eigen::Vector2d;
 using Eigen::Vector3d;
 
 constexpr double kTiny = 1e-12;
+/// More than a closed form for nearly parallel axes is wrong by.
+constexpr double kMargin = 1e-6;
 constexpr double kGoldenRatio = 0.6180339887498949;
 /// Square of the sine between axis and wall below which the place where they pass moves to the
 /// middle.
@@ -80,10 +83,12 @@ double minimise_convex(const F& f) {
   return f(1) <= f(t) ? 1 : t;
 }
 
-/// Place on the segment that is deepest in the cylinder. Distance to the mantle bounds the distance
-/// to the solid from below, so its minimum, a closed form, is the answer wherever the mantle is
-/// nearest.
-double deepest(const Cylinder& cylinder, const Vector3d& a, const Vector3d& b) {
+/// Place on the capsule's segment that is deepest in the cylinder, if the two may touch. Distance
+/// to the mantle bounds the distance to the solid from below, so its minimum, a closed form, is the
+/// answer wherever the mantle is nearest, and tells a capsule that is too far away.
+std::optional<double> deepest(const Cylinder& cylinder, const Capsule& capsule) {
+  const Vector3d& a = capsule.a;
+  const Vector3d& b = capsule.b;
   const Vector3d offset = a - cylinder.centre;
   const Vector3d along = b - a;
   const Vector3d offset_across = offset - offset.dot(cylinder.axis) * cylinder.axis;
@@ -91,6 +96,7 @@ double deepest(const Cylinder& cylinder, const Vector3d& a, const Vector3d& b) {
   const double square = along_across.squaredNorm();
   const double t = square > kTiny ? clamp01(-offset_across.dot(along_across) / square) : 0.5;
   const double side = (offset_across + t * along_across).norm() - cylinder.radius;
+  if (side > capsule.radius + kMargin) return std::nullopt;
   const double end = std::abs((offset + t * along).dot(cylinder.axis)) - cylinder.half_length;
   if (end <= 0 && side >= end) return t;
   return minimise_convex([&](double s) { return signed_distance(cylinder, a + s * along); });
@@ -99,7 +105,9 @@ double deepest(const Cylinder& cylinder, const Vector3d& a, const Vector3d& b) {
 /// Place on the segment that is nearest to the wall, whose profile is a half strip. The distance is
 /// convex and piecewise: its minimum lies at an end, nearest to an upper edge, at a border
 /// of the profile or in its middle.
-double deepest(const Wall& wall, const Vector3d& a, const Vector3d& b) {
+double deepest(const Wall& wall, const Capsule& capsule) {
+  const Vector3d& a = capsule.a;
+  const Vector3d& b = capsule.b;
   const Vector3d along = b - a;
   std::array<double, 8> candidates{0, 1};
   std::size_t count = 2;
@@ -148,10 +156,11 @@ std::pair<double, double> closest_places(const Vector3d& d1, const Vector3d& d2,
 
 template <class Shape>
 std::optional<Touch> touch_capsule(const Shape& shape, const Capsule& capsule, bool* at_b) {
-  const double t = deepest(shape, capsule.a, capsule.b);
-  const Vector3d point = capsule.a + t * (capsule.b - capsule.a);
+  const std::optional<double> t = deepest(shape, capsule);
+  if (!t) return std::nullopt;
+  const Vector3d point = capsule.a + *t * (capsule.b - capsule.a);
   const Distance distance = distance_from(shape, point);
-  if (at_b != nullptr) *at_b = t >= 1;
+  if (at_b != nullptr) *at_b = *t >= 1;
   const double depth = capsule.radius - distance.value;
   if (depth <= 0) return std::nullopt;
   return Touch{point - (capsule.radius - 0.5 * depth) * distance.outward, distance.outward, depth};

@@ -40,8 +40,8 @@ struct Wall {
 /// A: ground (z <= 0), B: sphere.
 [[nodiscard]] std::optional<Touch> touch_ground(const Eigen::Vector3d& centre, double radius);
 
-/// A: cylinder, B: the deepest point of the capsule. `at_b`, if given, tells whether that point is
-/// the end b of the segment.
+/// A: cylinder, B: the deepest point of the capsule. `at_b`, if given, tells of a touch whether
+/// that point is the end b of the segment.
 [[nodiscard]] std::optional<Touch> touch_cylinder(const Cylinder& cylinder, const Capsule& capsule,
                                                   bool* at_b = nullptr);
 

@@ -76,9 +76,7 @@ void Stepper::add_contacts(double dt_s) {
         contact_law_.evaluate(contact, velocity, spin, morphology_.object_radius_m, dt_s);
     laws_.push_back(law);
     if (law.push_n <= 0) continue;
-    if (is_leg(contact.a.solid) && is_leg(contact.b.solid)) {
-      solver_.couple(contact.a.leg, contact.b.leg);
-    }
+    solver_.couple(contact.a, contact.b);
     jacobian.add_force(force_on_b(law, contact.touch.normal, velocity), force_);
     jacobian.add_damping(contact.touch.normal, dt_s * law.normal_damping, dt_s * law.slip_damping,
                          system_);
