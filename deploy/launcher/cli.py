@@ -7,10 +7,9 @@ from typing import List, Sequence
 
 from . import (completion_verb, doctor_verb, experiment_verb, logs_verb, operator_verbs, run_verb,
                sim_verb, status_verb, up_verb)
-from .experiments.declaration import experiment_schema
-from .failure import EXIT_FAILURE, EXIT_OK, Failure, Interrupted
+from .config_words import answer_config
+from .failure import EXIT_FAILURE, Failure, Interrupted
 from .places import Places, default_bin, default_runs, default_stack_file
-from .stack_declaration import stack_schema
 from .stack_options import add_profile_option, bounded_integer
 from .tool_verbs import bus_of, hand_on
 from .verbs import Verbs
@@ -19,7 +18,6 @@ _EXAMPLES = """deploy/scarab run --height 0.10 --strategy soft+hard --seed 1
 deploy/scarab up && deploy/scarab run --trials 3 && deploy/scarab down
 deploy/scarab experiment obstacle
 deploy/scarab topic list"""
-_SCHEMAS = {"stack": stack_schema, "experiment": experiment_schema}  # of the files that the launcher itself reads
 
 
 def main(words: Sequence[str]) -> int:
@@ -70,9 +68,10 @@ def _dispatch(words: List[str]) -> int:
     places = Places(default_bin(), default_runs(), default_stack_file())
     if words and words[0] == completion_verb.ASK:
         return completion_verb.answer(words[1:], verbs, places)
-    if words[:2] == ["config", "schema"] and len(words) == 3 and words[2] in _SCHEMAS:
-        print(_SCHEMAS[words[2]](), end="")
-        return EXIT_OK
+    if words[:1] == ["config"]:
+        code = answer_config(words[1:], places)
+        if code is not None:
+            return code
     if words and words[0] in verbs.tools:  # their options are theirs to read
         return hand_on(verbs.tools[words[0]], words[1:], places)
     options = verbs.parse(words)

@@ -9,7 +9,7 @@ from ..strict_yaml import Value, did_you_mean, read_yaml
 from .declaration import DEFAULTS, EXPERIMENT, MOST_SEED, SCENE
 
 EXPERIMENT_WORDS = ("list", "all", "merge")  # in place of a name
-_FOLDER = Path("config/experiments")
+FOLDER = Path("config/experiments")
 _ENDING = ".yaml"
 
 
@@ -49,7 +49,7 @@ class Experiment:
 
 
 def known_experiments(root: Path) -> List[str]:
-    return sorted(file.stem for file in (root / _FOLDER).glob(f"*{_ENDING}"))
+    return sorted(file.stem for file in (root / FOLDER).glob(f"*{_ENDING}"))
 
 
 def find_experiment(word: str, root: Path) -> Path:
@@ -61,7 +61,7 @@ def find_experiment(word: str, root: Path) -> Path:
     known = known_experiments(root)
     if word not in known:
         raise UsageError(f"unknown experiment '{word}'{did_you_mean(word, known)}; one of {', '.join(known)}")
-    return root / _FOLDER / f"{word}{_ENDING}"
+    return root / FOLDER / f"{word}{_ENDING}"
 
 
 def read_experiment(file: Path) -> Experiment:
