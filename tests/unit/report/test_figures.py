@@ -1,4 +1,4 @@
-"""Figures: one of each kind, the same bytes for the same data, readable in grey."""
+"""Figures: one of each kind, readable in grey."""
 
 import re
 import tempfile
@@ -33,22 +33,26 @@ class Figures(unittest.TestCase):
     def draw(self, directory):
         return draw_figures(read_experiment(directory, FAKE_BIN), directory)
 
-    def test_every_kind_is_drawn_the_same_twice(self):
+    def test_every_kind_is_drawn_without_a_date(self):
         self.assertEqual(set(DRAWINGS), set(KINDS))
         self.assertEqual(set(plans()), set(KINDS))
         for kind in KINDS:
             with self.subTest(kind=kind):
-                drawn = []
-                for copy in ("first", "second"):
-                    write_experiment(self.room / copy / kind, kind)
-                    drawn.append(self.draw(self.room / copy / kind))
-                svg, png = drawn[0]
+                write_experiment(self.room / kind, kind)
+                svg, png = self.draw(self.room / kind)
                 self.assertEqual((svg.name, png.name), (f"{kind}.svg", f"{kind}.png"))
                 self.assertIn("<svg", svg.read_text())
                 self.assertTrue(png.read_bytes().startswith(b"\x89PNG"))
-                for one, other in zip(*drawn):
-                    self.assertEqual(one.read_bytes(), other.read_bytes(), one.name)
                 self.assertNotRegex(svg.read_text(), r"<dc:date>|20\d\d-\d\d-\d\dT")
+
+    def test_the_same_data_give_the_same_bytes(self):
+        for kind in ("transport_speed", "vrn"):  # bars and dots; lines, markers and formulae
+            drawn = []
+            for copy in ("first", "second"):
+                write_experiment(self.room / copy / kind, kind)
+                drawn.append(self.draw(self.room / copy / kind))
+            for one, other in zip(*drawn):
+                self.assertEqual(one.read_bytes(), other.read_bytes(), one.name)
 
     def test_perturbation_and_counts_stand_on_the_figure(self):
         # Text is drawn as paths; matplotlib leaves what it says in a comment.

@@ -86,8 +86,9 @@ class Page(unittest.TestCase):
     def test_it_says_what_a_reader_needs(self):
         text = " ".join(self.written("transport_speed", paper=["Soft is <fastest>."], notes="Slips & slides.",
                                      sessions=[{"wall_s": 10.0, "simulated_s": 500.0}]).words)
-        for words in ("Soft is <fastest>.", "Slips & slides.", "Fig. 0", "deploy/scarab experiment transport_speed --inproc",
-                      CONFIGURATION, "seeds 1000001 to 1000004", "start ±2 cm, ±3°, friction ±10 %, CPG phase uniform",
+        for words in ("Soft is <fastest>.", "Slips & slides.", "Fig. 0", CONFIGURATION, "seeds 1000001 to 1000004",
+                      "deploy/scarab experiment transport_speed --inproc",
+                      "start ±2 cm, ±3°, friction ±10 %, CPG phase uniform",
                       "results.csv:1", "--seed 1000001", "agrees", "hard, flat", "4 × object lost sideways",
                       "Failures: 4 of 16 trials", "results.csv:5", "50 × real time"):
             self.assertIn(words, text)
