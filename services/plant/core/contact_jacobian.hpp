@@ -9,8 +9,9 @@
 namespace scarab::plant {
 
 /// How the generalised speeds move solid b against solid a at a contact point: v_b - v_a = sum of
-/// column * speed. Sparse: a robot body depends on at most ten speeds. When both solids are the
-/// robot's, the trunk's six cancel and are left out.
+/// column * speed. Sparse: a robot body depends on at most ten speeds, of which the trunk's six
+/// have columns that need no multiplication with what is known to be 0 or 1. When both solids are
+/// the robot's, the trunk's six cancel and are left out.
 class ContactJacobian {
  public:
   ContactJacobian(const Kinematics& kinematics,
@@ -25,14 +26,28 @@ class ContactJacobian {
   void add_damping(const Eigen::Vector3d& n, double normal, double slip, SpeedMatrix& system) const;
 
  private:
-  void add_body(const Kinematics& kinematics, const SolidId& solid, bool on_front, bool with_trunk,
-                const Eigen::Vector3d& point, double sign);
-  void add_column(std::size_t speed, const Eigen::Vector3d& column);
+  /// The six speeds of the trunk or the object: columns sign (e_k x arm) and sign e_k.
+  struct FreeBody {
+    Eigen::Index first_speed = 0;
+    Eigen::Vector3d arm;
+    double sign = 1;
+  };
+  struct Hinge {
+    Eigen::Index speed = 0;
+    Eigen::Vector3d column;
+  };
 
-  static constexpr std::size_t kMaxColumns = 20;
-  std::size_t count_ = 0;
-  std::array<Eigen::Index, kMaxColumns> speed_;
-  std::array<Eigen::Vector3d, kMaxColumns> column_;
+  void add_free_body(std::size_t first_speed, const Eigen::Vector3d& arm, double sign);
+  void add_hinges(const Kinematics& kinematics, const SolidId& solid, bool on_front,
+                  const Eigen::Vector3d& point, double sign);
+  void add_solid(const Kinematics& kinematics, const SolidId& solid, bool on_front, bool with_trunk,
+                 const Eigen::Vector3d& point, double sign);
+  void add_row(Eigen::Index row, const Eigen::Vector3d& weighted, SpeedMatrix& system) const;
+
+  std::size_t free_count_ = 0;
+  std::array<FreeBody, 2> free_;
+  std::size_t hinge_count_ = 0;
+  std::array<Hinge, 8> hinge_;
 };
 
 }  // namespace scarab::plant

@@ -20,6 +20,7 @@ class SimbodyCheck {
  private:
   RobotTree tree_;
   Kinematics expected_;
+  SpeedVector expected_force_;
 };
 
 }  // namespace scarab::plant
