@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <iterator>
+#include <string>
 
 #include "common/bus/sample_fields.hpp"
 #include "common/runtime/words.hpp"
@@ -71,9 +72,7 @@ TrialWatch::TrialWatch(const scarab_Trial& trial) {
 
 void TrialWatch::see(const scarab_Behaviour& behaviour) {
   if (behaviour.header.trial != outcome_.number) return;
-  behaviours_.see(behaviour.header.sim_time_ns);
-  miss(behaviours_.missed());
-  behaviour_tick_ = behaviour.header.tick;
+  watch_for_gap(behaviour);
   if (state_ == behaviour.state) return;
   state_ = behaviour.state;
   outcome_.end.state = runtime::word(behaviour.state);
@@ -96,6 +95,17 @@ void TrialWatch::see(const scarab_WorldState& world) {
   ended_ = outcome_.judged = true;
   outcome_.success = world.verdict == scarab_VERDICT_SUCCESS;
   outcome_.reason = world.verdict_reason;
+}
+
+/// A gap is none of a fault where the state was the same all the while: a supervisor that was
+/// started anew answers at once, and is heard here a little later.
+void TrialWatch::watch_for_gap(const scarab_Behaviour& behaviour) {
+  const std::int64_t tick = behaviour.header.tick;
+  const std::int64_t known = std::max<std::int64_t>(behaviour_tick_, 0);
+  if (tick > behaviour_tick_ + 1 && behaviour.entered_tick > known) {
+    miss("behaviour of tick " + std::to_string(behaviour_tick_ + 1) + " was missed");
+  }
+  behaviour_tick_ = std::max(behaviour_tick_, tick);
 }
 
 void TrialWatch::measure(const scarab_WorldState& world) {
@@ -125,7 +135,7 @@ void TrialWatch::miss(const std::string& what) {
 
 bool TrialWatch::complete() const {
   const bool last = state_ == scarab_BEHAVIOUR_DONE || state_ == scarab_BEHAVIOUR_FAILED;
-  return outcome_.judged && last && behaviour_tick_ >= last_tick_;
+  return outcome_.judged && last && behaviour_tick_ >= std::int64_t{last_tick_};
 }
 
 }  // namespace scarab::experiment

@@ -38,6 +38,7 @@ class TrialWatch {
   [[nodiscard]] std::uint32_t last_tick() const { return last_tick_; }
 
  private:
+  void watch_for_gap(const scarab_Behaviour& behaviour);
   void measure(const scarab_WorldState& world);
 
   struct Place {
@@ -47,12 +48,11 @@ class TrialWatch {
 
   Outcome outcome_;
   SampleSequence worlds_{"world_state"};
-  SampleSequence behaviours_{"behaviour"};
   std::optional<Place> start_;
   Turn turn_;
   std::optional<std::chrono::steady_clock::time_point> started_;
   std::optional<scarab_BehaviourState> state_;
-  std::uint32_t behaviour_tick_ = 0;
+  std::int64_t behaviour_tick_ = -1;  // newest seen
   std::uint32_t last_tick_ = 0;
   bool ended_ = false;
 };

@@ -31,7 +31,7 @@ constexpr const char* kTrials =
 {"strategy": "walk-forward", "goal": "walk", "height_m": 0, "distance_m": 0.2, "time_limit_s": 5, "seed": 7, "perturb_position_m": 0.02, "perturb_yaw_rad": 3.1, "perturb_friction": 0.1, "perturb_cpg_phase": true, "friction_scale": 1, "object_mass_kg": 0, "object_diameter_m": 0}
 )";
 
-/// A first trial of a second, then one that no test waits for.
+/// A first trial of a second, then one that is not to end.
 constexpr const char* kEndless =
     R"({"index": 1, "strategy": "soft", "goal": "none", "height_m": 0, "distance_m": 1, "time_limit_s": 1, "seed": 1, "perturb_position_m": 0, "perturb_yaw_rad": 0, "perturb_friction": 0, "perturb_cpg_phase": true, "friction_scale": 1, "object_mass_kg": 0, "object_diameter_m": 0}
 {"index": 2, "strategy": "stand", "goal": "none", "height_m": 0, "distance_m": 1, "time_limit_s": 36000, "seed": 1, "perturb_position_m": 0, "perturb_yaw_rad": 0, "perturb_friction": 0, "perturb_cpg_phase": true, "friction_scale": 1, "object_mass_kg": 0, "object_diameter_m": 0}
@@ -127,6 +127,24 @@ TEST_F(Worker, RowsAreTheSameUnderLoadAndOnAStackThatHasRunTrials) {
     auto worker = stack.conduct({"--worker"}, trials_);
     EXPECT_EQ(rows_of(worker), rows) << stack.errors();
   }
+}
+
+TEST_F(Worker, RowsAreTheSameThoughServicesCrash) {
+  std::string text = kEndless;
+  text.replace(text.find("36000"), 5, "100");
+  write_text(directory_ / "long", text);
+  auto sim = simulation(directory_ / "long");
+  const auto rows = rows_of(sim);
+  Stack stack(directory_ / "stack");
+  View view;
+  auto worker = stack.conduct({"--worker"}, directory_ / "long");
+  constexpr std::int64_t kInTheSecond = 20;  // the first trial ends before
+  ASSERT_TRUE(view.await_tick(kInTheSecond)) << worker.output() << stack.errors();
+  for (const auto* name : {"supervisor", "premotor"}) {
+    stack.kill(name);
+    stack.restart(name);
+  }
+  EXPECT_EQ(rows_of(worker), rows) << stack.errors();
 }
 
 TEST_F(Worker, ADeadPlantIsAnErrorAndNoResult) {

@@ -176,11 +176,30 @@ TEST_F(TrialWatchTest, AMissedFirstSampleIsNoticed) {
   EXPECT_THAT(watch_.outcome().missed, testing::HasSubstr("world_state of 0.000 s"));
 }
 
-TEST_F(TrialWatchTest, AMissedBehaviourIsNoticed) {
-  for (const std::uint32_t tick : {0, 1, 2, 4}) {
-    watch_.see(behaviour_of(tick, scarab_BEHAVIOUR_APPROACH));
+TEST_F(TrialWatchTest, AMissedChangeOfBehaviourIsNoticed) {
+  watch_.see(behaviour_of(0, scarab_BEHAVIOUR_APPROACH));
+  watch_.see(behaviour_of(2, scarab_BEHAVIOUR_APPROACH));  // there was no change meanwhile
+  EXPECT_EQ(watch_.outcome().missed, "");
+  auto climb = behaviour_of(4, scarab_BEHAVIOUR_CLIMB);
+  climb.entered_tick = 3;
+  watch_.see(climb);
+  EXPECT_EQ(watch_.outcome().missed, "behaviour of tick 3 was missed");
+}
+
+TEST_F(TrialWatchTest, AStateHeardOfTooLateIsNoticed) {
+  auto climb = behaviour_of(9, scarab_BEHAVIOUR_CLIMB);
+  climb.entered_tick = 7;
+  watch_.see(climb);
+  EXPECT_EQ(watch_.outcome().missed, "behaviour of tick 0 was missed");
+}
+
+TEST_F(TrialWatchTest, AnAnswerSaidAgainIsNoGap) {
+  for (const std::uint32_t tick : {0, 1, 2, 1, 2, 3}) {
+    auto climb = behaviour_of(tick, scarab_BEHAVIOUR_CLIMB);
+    climb.entered_tick = tick == 3 ? 3 : 0;
+    watch_.see(climb);
   }
-  EXPECT_THAT(watch_.outcome().missed, testing::HasSubstr("behaviour of 0.300 s"));
+  EXPECT_EQ(watch_.outcome().missed, "");
 }
 
 TEST_F(TrialWatchTest, IsCompleteWithTheLastAnswer) {
