@@ -1,29 +1,18 @@
 """`scarab experiment`: named experiments, run, resumed, divided over machines and put together again."""
 
 import argparse
-import os
 import re
-import shlex
 from pathlib import Path
 from typing import List
 
-from .experiments.backend import Backend, InProcess, Stacks
-from .experiments.configuration import Configuration, resolve_configuration
-from .experiments.directory import ExperimentDirectory
+from .experiment_run import merge_shards, run_plans
 from .experiments.dry_run import plan_text
 from .experiments.experiment_file import (EXPERIMENT_WORDS, Experiment, find_experiment,
                                           known_experiments, read_experiment)
-from .experiments.merge import merge, name_of
-from .experiments.plan import Plan, Shard, make_plan
-from .experiments.report import write_index
-from .experiments.session import Task, check_directory, work
+from .experiments.plan import Shard, make_plan
 from .failure import EXIT_OK, UsageError
-from .places import Places, shown
-from .signals import Signals
-from .stack import Stack
-from .stack_file import read_stack
-from .stack_options import DEFAULT_PROFILE, add_data_options, bounded_integer, changes_of
-from .strategies import check_strategy, strategies_of
+from .places import Places
+from .stack_options import add_data_options, bounded_integer
 from .strict_yaml import did_you_mean
 from .verbs import Verbs
 
@@ -48,7 +37,8 @@ def add_verb(verbs: Verbs) -> None:
     parser = verbs.add("experiment", experiment, "run the experiments of the paper, and those beyond it",
                        _EXAMPLES, _MORE, operands=" NAME", of_stack=False)
     parser.add_argument("experiment", metavar="NAME", help="of an experiment; or list, all, merge")
-    parser.add_argument("directories", nargs="*", metavar="DIR", help="of merge: the directories of the shards")
+    parser.add_argument("directories", nargs="*", metavar="DIR",
+                        help="of merge: the directories of the shards")
     who = parser.add_argument_group("who runs the trials").add_mutually_exclusive_group()
     who.add_argument("--inproc", action="store_true",
                      help="processes with the cores of all services, one on each core (this is the default)")
@@ -64,7 +54,8 @@ def add_verb(verbs: Verbs) -> None:
                         help="where results go (runs/experiments/NAME; with --shard NAME-shard-I-of-N)")
     parser.add_argument("--shard", type=_shard, metavar="I/N", default=Shard(),
                         help="every N-th trial only, from the I-th on: for one of N machines")
-    parser.add_argument("--fresh", action="store_true", help="start over: what lies in the directory is removed")
+    parser.add_argument("--fresh", action="store_true",
+                        help="start over: what lies in the directory is removed")
     parser.add_argument("--no-report", dest="report", action="store_false",
                         help="leave figures and report to deploy/report/report.py DIR, later")
     parser.add_argument("--dry-run", action="store_true", help="show what would be run")
@@ -78,7 +69,7 @@ def experiment(options: argparse.Namespace, places: Places) -> int:
         print(list_text(places.root))
         return EXIT_OK
     if options.experiment == "merge":
-        return _merge(options, places)
+        return merge_shards(options, places)
     if options.experiment == "all":
         files = [find_experiment(e.name, places.root) for e in _in_order(places.root)]
     else:
@@ -87,7 +78,7 @@ def experiment(options: argparse.Namespace, places: Places) -> int:
     if options.dry_run:
         print("\n\n".join(plan_text(plan, options.shard) for plan in plans))
         return EXIT_OK
-    return _run(plans, options, places)
+    return run_plans(plans, options, places)
 
 
 def list_text(root: Path) -> str:
@@ -103,7 +94,8 @@ def list_text(root: Path) -> str:
 def _in_order(root: Path) -> List[Experiment]:
     """By their figures; those without one behind, the smallest first."""
     found = [read_experiment(find_experiment(name, root)) for name in known_experiments(root)]
-    return sorted(found, key=lambda e: (not e.paper_figure, e.paper_figure, len(make_plan(e).trials), e.name))
+    return sorted(found, key=lambda e: (not e.paper_figure, e.paper_figure,
+                                        len(make_plan(e).trials), e.name))
 
 
 def _file(word: str, root: Path) -> Path:
@@ -111,78 +103,6 @@ def _file(word: str, root: Path) -> Path:
     if near and not did_you_mean(word, known_experiments(root)):
         raise UsageError(f"unknown experiment '{word}'{near}")
     return find_experiment(word, root)
-
-
-def _run(plans: List[Plan], options: argparse.Namespace, places: Places) -> int:
-    signals = Signals()
-    stack = read_stack(places.stack_file, DEFAULT_PROFILE, places.root, changes_of(options))
-    backend = _backend(options, stack)
-    backend.check(places)
-    _check_strategies(plans, stack, places)
-    configuration = resolve_configuration(places, stack)
-    tasks = [_task(plan, configuration, options, places) for plan in plans]
-    if not options.fresh:
-        for task in tasks:
-            check_directory(task, places)
-    for task in tasks:
-        signals.raise_if_stop_requested()
-        work(task, backend, places, signals, options.fresh, options.report)
-    if options.experiment == "all" and options.shard.whole:
-        page = _out_of_all(options, places) / "index.html"
-        if options.report:
-            write_index([task.directory.path for task in tasks], page)
-            print(f"\nall of them: {shown(page)}")
-    return EXIT_OK
-
-
-def _task(plan: Plan, configuration: Configuration, options: argparse.Namespace, places: Places) -> Task:
-    name = plan.experiment.name
-    own = name if options.shard.whole else f"{name}-shard-{options.shard.number}-of-{options.shard.of}"
-    if options.experiment == "all":
-        path = _out_of_all(options, places) / own
-    else:
-        path = options.out or places.runs / "experiments" / own
-    return Task(plan, options.shard, configuration, _command(options, name), ExperimentDirectory(path.resolve()))
-
-
-def _out_of_all(options: argparse.Namespace, places: Places) -> Path:
-    return (options.out or places.runs / "experiments").resolve()
-
-
-def _command(options: argparse.Namespace, name: str) -> str:
-    """That gives the same results, wherever they then lie."""
-    word = name if options.experiment in ("all", name) else options.experiment
-    words = ["deploy/scarab", "experiment", word]
-    words += ["--stacks", str(options.stacks)] if options.stacks else ["--inproc"]
-    for option, value in (("--trials", options.trials), ("--seed", options.seed), ("--robot", options.robot)):
-        words += [option, str(value)] if value is not None else []
-    for service, file in options.config:
-        words += ["--config", f"{service}={shown(file)}"]
-    return shlex.join(words)
-
-
-def _merge(options: argparse.Namespace, places: Places) -> int:
-    signals = Signals()
-    paths = [Path(directory).resolve() for directory in options.directories]
-    out = options.out or places.runs / "experiments" / name_of(paths[0])
-    merge(paths, out.resolve(), options.fresh, options.report, places, signals)
-    return EXIT_OK
-
-
-def _backend(options: argparse.Namespace, stack: Stack) -> Backend:
-    if options.stacks:
-        return Stacks(options.stacks, stack)
-    return InProcess(options.jobs or len(os.sched_getaffinity(0)))
-
-
-def _check_strategies(plans: List[Plan], stack: Stack, places: Places) -> None:
-    known = strategies_of(stack, places)
-    for plan in plans:
-        for strategy in dict.fromkeys(trial.strategy for trial in plan.trials):
-            try:
-                check_strategy(strategy, known)
-            except UsageError as error:
-                raise UsageError(f"experiment {plan.experiment.name}: {error}") from None
 
 
 def _check_together(options: argparse.Namespace) -> None:
@@ -208,5 +128,6 @@ def _shard(text: str) -> Shard:
         raise argparse.ArgumentTypeError(f"'{text}' is not I/N, such as 2/8")
     shard = Shard(int(match[1]), int(match[2]))
     if not 1 <= shard.number <= shard.of:
-        raise argparse.ArgumentTypeError(f"there is no shard {shard.number} of {shard.of}: they count from 1/{shard.of}")
+        raise argparse.ArgumentTypeError(f"there is no shard {shard.number} of {shard.of}: they count from 1 to "
+                                         f"{shard.of}")
     return shard

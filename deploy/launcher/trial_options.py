@@ -41,15 +41,16 @@ PARSERS: Dict[str, Callable[[str], object]] = {
 _NOTES = {
     "strategy": ("NAME", "pushing strategy of the supervisor's configuration (soft+hard)"),
     "height": ("M", "height of the obstacle in metres; 0: none (0.10)"),
-    "goal": ("", "object across the obstacle, object moved by --distance, robot moved by --distance, or none: go "
-                 "on until the time limit (across; without an obstacle travel)"),
+    "goal": ("", "object across the obstacle, object moved by --distance, robot moved by --distance, or none: "
+                 "go on until the time limit (across; without an obstacle travel)"),
     "distance": ("M", "for the goals travel and walk (1.46)"),
     "seed": ("N", "of every perturbation of the first trial; later ones count on (1)"),
     "trials": ("N", "how many trials, one after the other (1)"),
     "time_limit": ("S", "simulated seconds until a trial has failed (60)"),
     "perturb_position": ("M", "start position: uniform in +- this, x and y (0.02)"),
     "perturb_yaw": ("RAD", "start heading: uniform in +- this (0.0524, which is 3 deg)"),
-    "perturb_friction": ("SHARE", "every friction coefficient has a factor of its own, uniform in 1 +- this (0.1)"),
+    "perturb_friction": ("SHARE", "every friction coefficient has a factor of its own, uniform in 1 +- this "
+                                  "(0.1)"),
     "friction_scale": ("X", "of every friction coefficient (1)"),
     "object_mass": ("KG", "mass of the object; 0: as configured (0)"),
     "object_diameter": ("M", "diameter of the object; 0: as configured (0)"),
@@ -71,7 +72,8 @@ def add_trial_options(parser: argparse.ArgumentParser) -> None:
     trial.add_argument("--no-perturbation", action="store_true",
                        help="start exactly in the nominal pose and phase, with the nominal friction")
     trial.add_argument("--row", metavar="FILE:N",
-                       help="the trial with index N of an experiment's results.csv; options beside it change it")
+                       help="the trial with index N of an experiment's results.csv; options beside it "
+                            "change it")
 
 
 def trial_arguments(options: argparse.Namespace) -> List[str]:

@@ -25,7 +25,8 @@ class Backend(Protocol):
     def check(self, places: Places) -> None:
         """Failure where a program is not built."""
 
-    def seats(self, places: Places, directory: ExperimentDirectory, record: bool, signals: Signals) -> List[Seat]:
+    def seats(self, places: Places, directory: ExperimentDirectory, record: bool,
+              signals: Signals) -> List[Seat]:
         """Nothing is started as yet."""
 
 
@@ -42,13 +43,15 @@ class InProcess:
     def check(self, places: Places) -> None:
         places.program("scarab-sim")
 
-    def seats(self, places: Places, directory: ExperimentDirectory, record: bool, signals: Signals) -> List[Seat]:
+    def seats(self, places: Places, directory: ExperimentDirectory, record: bool,
+              signals: Signals) -> List[Seat]:
         return [InProcessSeat(n + 1, places, directory, record) for n in range(self.jobs)]
 
 
 @dataclass(frozen=True)
 class Stacks:
-    """`count` stacks side by side, each on a DDS domain of its own; with a logger only where trials are recorded."""
+    """`count` stacks side by side, each on a DDS domain of its own; with a logger only where trials are
+    recorded."""
 
     count: int
     stack: Stack
@@ -58,10 +61,12 @@ class Stacks:
         return f"on {self.count} stack{'s' if self.count > 1 else ''} of processes"
 
     def check(self, places: Places) -> None:
-        for program in (*_PROGRAMS_OF_A_STACK, *(service.binary for service in self._members(True).services)):
+        services = self._members(True).services
+        for program in (*_PROGRAMS_OF_A_STACK, *(service.binary for service in services)):
             places.program(program)
 
-    def seats(self, places: Places, directory: ExperimentDirectory, record: bool, signals: Signals) -> List[Seat]:
+    def seats(self, places: Places, directory: ExperimentDirectory, record: bool,
+              signals: Signals) -> List[Seat]:
         directory.stacks.mkdir(exist_ok=True)
         checked = check(places, stack_that_reads(self._members(record), directory.config))
         return [StackSeat(n + 1, places, checked, directory, record, signals) for n in range(self.count)]

@@ -1,19 +1,21 @@
-"""What config/experiments/NAME.yaml may hold. Editors that know its schema (`scarab config schema experiment`) show
-the notes."""
+"""What config/experiments/NAME.yaml may hold. Editors that know its schema (`scarab config schema
+experiment`) show the notes."""
 
 import json
-
-from ..declaration import Boolean, Choice, Fields, Integer, ListOf, Number, Part, Text, described
 from typing import Dict
 
-FIGURES = ("cpg", "psn", "vrn", "transport_speed", "obstacle", "sequence", "walking", "beyond", "robustness")
+from ..declaration import Boolean, Choice, Fields, Integer, ListOf, Number, Part, Text, described
+
+FIGURES = ("cpg", "psn", "vrn", "transport_speed", "obstacle", "sequence", "walking", "beyond",
+           "robustness")
 GOALS = ("travel", "across", "walk", "none")
 MOST_SEED = 2**64 - 1
 
 # What a trial is, but for its seed and its perturbation; in the order of the plan's columns.
 SCENE: Dict[str, Part] = {
     "strategy": Text("of the supervisor's configuration"),
-    "goal": Choice(GOALS, "object moved, object across the obstacle, robot moved, or none: until the time limit"),
+    "goal": Choice(GOALS, "object moved, object across the obstacle, robot moved, or none: until the time "
+                          "limit"),
     "height_m": Number(0.0, 0.5, "of the obstacle; 0: none"),
     "distance_m": Number(0.01, 10.0, "for the goals travel (of the object) and walk (of the robot)"),
     "time_limit_s": Number(0.1, 36000.0, "simulated time until the trial has failed"),
@@ -30,7 +32,8 @@ EXPERIMENT = Fields(
         "paper": ListOf(Text(), "what the paper says of it, in words: a paragraph each", least=1),
         "grids": ListOf(
             Fields({}, {name: ListOf(part, part.note, least=1) for name, part in SCENE.items()}),
-            "each stands for every combination of its lists, the last one varying fastest; together they are the cells",
+            "each stands for every combination of its lists, the last one varying fastest; together they are "
+            "the cells",
             least=1),
         "every_trial": Fields({}, SCENE, "what no grid varies"),
         "trials": Integer(1, 100000, "in each cell"),

@@ -12,8 +12,8 @@ from ..places import shown
 from ..trial_lock import TrialLock
 from .plan import PlannedTrial
 
-_WRITTEN = ("plan.json", "journal.jsonl", "results.csv", "summary.json", "report.html", "config", "logs", "stacks",
-            "*.svg", "*.png", "trial-*.mcap", "trial-*.mcap.active")
+_WRITTEN = ("plan.json", "journal.jsonl", "results.csv", "summary.json", "report.html", "config", "logs",
+            "stacks", "*.svg", "*.png", "trial-*.mcap", "trial-*.mcap.active")
 
 
 @dataclass(frozen=True)

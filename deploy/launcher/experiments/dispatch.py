@@ -14,8 +14,8 @@ from .seat import Fault, Seat
 
 RETRIES = 2
 _LOOK_AT_LEAST_EVERY_S = 0.5
-# A trial whose answer has not come after this long is as good as dead: 4 s of machine time for a simulated second, on top
-# of what a stack may take to start.
+# A trial whose answer has not come after this long is as good as dead: 4 s of machine time for a simulated
+# second, on top of what a stack may take to start.
 _PATIENCE_S = 120.0
 _PATIENCE_S_PER_S = 4.0
 
@@ -36,8 +36,8 @@ class Dispatch:
         self._faults: Counter = Counter()
 
     def run(self) -> None:
-        """Until every trial has a result. Failure where one cannot be run, Interrupted on a request to stop; nothing
-        that was started is left."""
+        """Until every trial has a result. Failure where one cannot be run, Interrupted on a request to stop;
+        nothing that was started is left."""
         try:
             while self._waiting or self._running:
                 self._signals.raise_if_stop_requested()

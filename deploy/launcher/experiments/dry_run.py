@@ -24,6 +24,7 @@ def plan_text(plan: Plan, shard: Shard) -> str:
 
 def _cell_line(first: PlannedTrial, count: int, varied: "tuple[str, ...]") -> str:
     keys: List[str] = list(varied) or ["strategy"]
-    words = [f"{key} {value:g}" if isinstance(value := getattr(first, key), float) else str(value) for key in keys]
+    words = [f"{key} {value:g}" if isinstance(value := getattr(first, key), float) else str(value)
+             for key in keys]
     indices = f"{first.index}-{first.index + count - 1}" if count > 1 else str(first.index)
     return f"{indices:>9}  {', '.join(words)}"

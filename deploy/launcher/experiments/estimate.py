@@ -8,10 +8,12 @@ from .results import Result
 
 
 class Estimate:
-    """A trial is expected to last, in simulated time, as long as those of its cell on average; one of a cell of which
-    nothing is known, as those of its strategy, else as all. How fast simulated time goes is measured."""
+    """A trial is expected to last, in simulated time, as long as those of its cell on average; one of a cell
+    of which nothing is known, as those of its strategy, else as all. How fast simulated time goes is
+    measured."""
 
-    def __init__(self, done_before: Iterable[Result], left: Sequence[PlannedTrial], clock: Callable[[], float]):
+    def __init__(self, done_before: Iterable[Result], left: Sequence[PlannedTrial],
+                 clock: Callable[[], float]):
         self._left = {trial.index: trial for trial in left}
         self._lasted: Dict[object, Tuple[int, float]] = defaultdict(lambda: (0, 0.0))  # trials, s
         self._clock = clock

@@ -53,7 +53,8 @@ def known_experiments(root: Path) -> List[str]:
 
 
 def find_experiment(word: str, root: Path) -> Path:
-    """The file of a name, or the file itself. UsageError for what is neither, with what may have been meant."""
+    """The file of a name, or the file itself. UsageError for what is neither, with what may have been
+    meant."""
     if word.endswith(_ENDING):
         if not Path(word).is_file():
             raise UsageError(f"there is no file {word}")
@@ -104,11 +105,12 @@ def _check_goals(grid: Dict[str, List[object]], place: Value, every_trial: Dict[
 
 def _check_seeds(read: Dict[str, object], value: Value) -> None:
     if read["first_seed"] + read["trials"] - 1 > MOST_SEED:
-        value.at("first_seed").fail(f"leaves no {read['trials']} seeds: the last one would be above {MOST_SEED}")
+        value.at("first_seed").fail(f"leaves no {read['trials']} seeds: the last one would be above "
+                                    f"{MOST_SEED}")
 
 
 def _check_perturbation(read: Dict[str, object], value: Value) -> None:
     others: Sequence[str] = [name for name in ("position_m", "yaw_rad", "friction") if read[name]]
     if others and not read["cpg_phase"]:  # `run --no-perturbation` means all four
-        value.at("cpg_phase").fail(f"false, although {others[0]} is perturbed: a row of such a trial could not be "
-                                   "run again with the options of `scarab run`")
+        value.at("cpg_phase").fail(f"false, although {others[0]} is perturbed: a row of such a trial could "
+                                   "not be run again with the options of `scarab run`")

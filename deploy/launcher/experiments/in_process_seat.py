@@ -22,7 +22,8 @@ class InProcessSeat:
         self._directory = directory
         self._record = record
         self._log_file = directory.logs / f"worker-{number}.log"
-        self._command = [str(places.program("scarab-sim")), *simulation_arguments(directory.config), "--worker"]
+        self._command = [str(places.program("scarab-sim")), *simulation_arguments(directory.config),
+                         "--worker"]
         self._worker: Optional[WorkerProcess] = None
         self._log: Optional[Path] = None
 

@@ -42,8 +42,8 @@ class Journal:
 
 
 def read_journal(file: Path, trials: Iterable[PlannedTrial]) -> List[Result]:
-    """What has been done of these trials, in the order of the file. A line that was cut off while it was written is
-    none. Failure for a line that is not of them."""
+    """What has been done of these trials, in the order of the file. A line that was cut off while it was
+    written is none. Failure for a line that is not of them."""
     planned = {trial.index: trial for trial in trials}
     found: Dict[int, Result] = {}
     for number, line in enumerate(_whole_lines(file), start=1):

@@ -29,9 +29,11 @@ class _Part:
 
 def merge(paths: Sequence[Path], out: Path, fresh: bool, with_report: bool, places: Places,
           signals: Signals) -> None:
-    """UsageError for directories that do not make one whole: it says which shard is missing, doubled, unfinished, or of
-    something else."""
+    """UsageError for directories that do not make one whole: it says which shard is missing, doubled,
+    unfinished, or of something else."""
     parts = [_read(path) for path in paths]
+    if out in paths:
+        raise UsageError(f"{shown(out)} is one of the shards; choose another directory with --out")
     _check_same(parts)
     _check_complete(parts)
     directory = ExperimentDirectory(out)
@@ -69,11 +71,11 @@ def _check_same(parts: Sequence[_Part]) -> None:
         if difference is not None:
             raise UsageError(f"{part.where} is of another plan than {first.where}: {difference}")
         if part.record.configuration != first.record.configuration:
-            raise UsageError(f"{part.where} was run with configuration {part.record.configuration}, {first.where} "
-                             f"with {first.record.configuration}")
+            raise UsageError(f"{part.where} was run with configuration {part.record.configuration}, "
+                             f"{first.where} with {first.record.configuration}")
         if part.record.the_shard().of != first.record.the_shard().of:
-            raise UsageError(f"{part.where} is shard {part.record.shard}, {first.where} is {first.record.shard}: "
-                             "they do not belong together")
+            raise UsageError(f"{part.where} is shard {part.record.shard}, {first.where} is "
+                             f"{first.record.shard}: they do not belong together")
 
 
 def _check_complete(parts: Sequence[_Part]) -> None:
@@ -90,8 +92,8 @@ def _check_complete(parts: Sequence[_Part]) -> None:
     for part in parts:
         count, all_of_them = len(part.results), len(part.record.own_trials())
         if count != all_of_them:
-            raise UsageError(f"{part.where} is not finished: {count} of {all_of_them} trials; the command that began "
-                             "it goes on there")
+            raise UsageError(f"{part.where} is not finished: {count} of {all_of_them} trials; the command "
+                             "that began it goes on there")
 
 
 def _write(parts: Sequence[_Part], directory: ExperimentDirectory) -> List[Result]:

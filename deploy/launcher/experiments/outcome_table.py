@@ -35,8 +35,8 @@ def _list(section: Section, by_index: Dict[int, Result]) -> str:
     return _aligned(rows)
 
 
-def _matrix(section: Section, by_index: Dict[int, Result], of_rows: Sequence[str], of_columns: str, title: str,
-            said: Callable[[List[Result]], str]) -> str:
+def _matrix(section: Section, by_index: Dict[int, Result], of_rows: Sequence[str], of_columns: str,
+            title: str, said: Callable[[List[Result]], str]) -> str:
     groups = _groups(section, [*of_rows, of_columns])
     columns = list(dict.fromkeys(values[-1] for values in groups))
     rows = [[f"{title}, by {_name(of_columns)}", *map(_shown, columns)]]

@@ -2,9 +2,10 @@
 
 import shutil
 import time
-from typing import Callable, Optional, TextIO
+from typing import Callable, Optional, Sequence, TextIO
 
 from .estimate import Estimate, duration
+from .results import Result
 
 _BAR = 24
 _TERMINAL_EVERY_S = 0.2
@@ -12,24 +13,24 @@ _FILE_EVERY_S = 10.0
 
 
 class Progress:
-    """Of `total` trials, of which `done` have been done before."""
+    """Of `total` trials, some of which have been done before."""
 
-    def __init__(self, name: str, total: int, done: int, successes: int, estimate: Estimate, stream: TextIO,
-                 clock: Callable[[], float] = time.monotonic):
+    def __init__(self, name: str, total: int, done_before: Sequence[Result], estimate: Estimate,
+                 stream: TextIO, clock: Callable[[], float] = time.monotonic):
+        self.total = total
+        self.done = len(done_before)
         self._name = name
-        self._total = total
-        self._done = done
-        self._successes = successes
+        self._successes = sum(result.success for result in done_before)
         self._estimate = estimate
         self._stream = stream
         self._terminal = stream.isatty()
         self._clock = clock
         self._shown_at: Optional[float] = None
 
-    def add(self, success: bool) -> None:
+    def add(self, result: Result) -> None:
         """A trial has been done."""
-        self._done += 1
-        self._successes += success
+        self.done += 1
+        self._successes += result.success
 
     def show(self) -> None:
         """If the last time is long enough ago."""
@@ -45,12 +46,13 @@ class Progress:
             print(file=self._stream, flush=True)
 
     def text(self) -> str:
-        filled = _BAR * self._done // self._total if self._total else _BAR
-        parts = [f"{self._name} [{'=' * filled:{_BAR}}] {self._done}/{self._total}", f"{self._successes} succeeded"]
+        filled = _BAR * self.done // self.total if self.total else _BAR
+        parts = [f"{self._name} [{'=' * filled:{_BAR}}] {self.done}/{self.total}",
+                 f"{self._successes} succeeded"]
         if self._estimate.speed is not None:
             parts.append(f"{self._estimate.speed:.0f} x real time")
         left_s = self._estimate.left_s()
-        if self._done < self._total:
+        if self.done < self.total:
             parts.append(f"{duration(left_s)} left" if left_s is not None else "starting")
         return ", ".join(parts)
 

@@ -67,7 +67,9 @@ class Record:
         return _difference_of_trials(self.trials, wanted.trials)
 
 
-def make_record(plan: Plan, shard: Shard, robot: str, configuration: str, command: str, version: str) -> Record:
+def make_record(plan: Plan, shard: Shard, robot: str, configuration: str, command: str,
+                version: str) -> Record:
+    """Of nothing run as yet."""
     experiment = plan.experiment
     return Record(
         name=experiment.name, title=experiment.title, figure=experiment.figure,
@@ -85,8 +87,8 @@ def read_record(directory: ExperimentDirectory) -> Optional[Record]:
     try:
         return _record(value)
     except (KeyError, TypeError, ValueError):
-        raise Failure(f"{shown(directory.plan)} is not a plan of this version of Scarab: start over with --fresh, "
-                      "or choose another directory with --out") from None
+        raise Failure(f"{shown(directory.plan)} is not a plan of this version of Scarab: start over with "
+                      "--fresh, or choose another directory with --out") from None
 
 
 def _record(value: Optional[dict]) -> Record:
@@ -100,7 +102,8 @@ def _difference_of_trials(mine: List[PlannedTrial], others: List[PlannedTrial]) 
     for trial, other in zip(mine, others):
         key = trial.differs_from(other)
         if key is not None:
-            return f"trial {trial.index} with {key} {_said(getattr(trial, key))}, not {_said(getattr(other, key))}"
+            was, is_now = getattr(trial, key), getattr(other, key)
+            return f"trial {trial.index} with {key} {_said(was)}, not {_said(is_now)}"
     if len(mine) != len(others):
         return f"{len(mine)} trials, not {len(others)}"
     return None

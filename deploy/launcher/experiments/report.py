@@ -13,17 +13,22 @@ from ..signals import Signals
 _PYTHON = "/usr/bin/python3"
 
 
+class ReportFailure(Failure):
+    """The results are whole, but what they look like is not."""
+
+
 def draw_report(places: Places, directory: Path, signals: Signals) -> None:
-    """Failure with the reason where that does not work, Interrupted on a request to stop."""
+    """ReportFailure with the reason where that does not work, Interrupted on a request to stop."""
     script = places.root / "deploy" / "report" / "report.py"
     with tempfile.TemporaryFile() as complaint:
-        code = run_in_front([_PYTHON, script, directory, "--bin", places.bin], signals, stdout=complaint, stderr=complaint)
+        code = run_in_front([_PYTHON, script, directory, "--bin", places.bin], signals,
+                            stdout=complaint, stderr=complaint)
         if code != 0:
             complaint.seek(0)
             lines = complaint.read().decode(errors="replace").strip().splitlines()
             reason = lines[-1] if lines else f"exit code {code}"
-            raise Failure(f"the report of {shown(directory)} could not be drawn: {reason}. The results are whole; "
-                          f"once that is mended, draw it with {shown(script)} {shown(directory)}")
+            raise ReportFailure(f"the report of {shown(directory)} could not be drawn: {reason}. The results are "
+                                f"whole; once that is mended: {shown(script)} {shown(directory)}")
 
 
 def write_index(directories: Sequence[Path], page: Path) -> None:

@@ -6,8 +6,8 @@ from .plan import PlannedTrial
 
 
 class Fault(Exception):
-    """The trial that was given cannot be run here now; the text says why. The seat has to be cleared before it is
-    used again."""
+    """The trial that was given cannot be run here now; the text says why. The seat has to be cleared before
+    it is used again."""
 
 
 class Seat(Protocol):

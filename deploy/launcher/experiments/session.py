@@ -3,14 +3,13 @@
 import shlex
 import sys
 import time
+from contextlib import contextmanager
 from dataclasses import dataclass
-from pathlib import Path
-from typing import List, Optional
+from typing import Iterator, List, Optional
 
-from ..failure import Interrupted, UsageError
+from ..failure import Failure, Interrupted, UsageError
 from ..places import Places, shown
 from ..process_identity import write_text
-from ..run_record import source_version
 from ..signals import Signals
 from .backend import Backend
 from .configuration import Configuration
@@ -34,23 +33,24 @@ class Task:
     shard: Shard
     configuration: Configuration
     command: str  # the exact one
+    version: str
     directory: ExperimentDirectory
 
 
-def check_directory(task: Task, places: Places) -> None:
+def check_directory(task: Task) -> None:
     """UsageError where something else lies there than the beginning of this task."""
-    _record_of(task, places)
+    _record_of(task)
 
 
 def work(task: Task, backend: Backend, places: Places, signals: Signals, fresh: bool,
          with_report: bool) -> None:
-    """Runs what has not been run yet, and draws the report if it should. Failure where a trial cannot be run, Interrupted on a
-    request to stop: everything so far is kept, and another call goes on."""
+    """Runs what has not been run yet, and draws the report if it should. Failure where a trial cannot be
+    run, Interrupted on a request to stop: everything so far is kept, and another call goes on."""
     directory = task.directory
     with directory.alone():
         if fresh:
             directory.clear()
-        record = _record_of(task, places)
+        record = _record_of(task)
         directory.logs.mkdir(exist_ok=True)
         task.configuration.write(directory.config)
         record.write(directory)
@@ -63,10 +63,10 @@ def work(task: Task, backend: Backend, places: Places, signals: Signals, fresh: 
         _finish(task, record, with_report, places, signals)
 
 
-def _record_of(task: Task, places: Places) -> Record:
+def _record_of(task: Task) -> Record:
     """The one that lies there, with the words of today; or a new one."""
-    wanted = make_record(task.plan, task.shard, task.configuration.robot, task.configuration.digest(), task.command,
-                         source_version(places.root))
+    wanted = make_record(task.plan, task.shard, task.configuration.robot, task.configuration.digest(),
+                         task.command, task.version)
     found = read_record(task.directory)
     if found is None:
         return wanted
@@ -90,50 +90,62 @@ def _left(trials: List[PlannedTrial], done: List[Result]) -> List[PlannedTrial]:
     return sorted((t for t in trials if t.index not in finished), key=lambda t: (t.seed, t.index))
 
 
-def _say_what_comes(record: Record, done: int, left: int, backend: Backend, directory: ExperimentDirectory) -> None:
-    share = f", shard {record.shard}" if record.shard else ""
+def _say_what_comes(record: Record, done: int, left: int, backend: Backend,
+                    directory: ExperimentDirectory) -> None:
+    name = f"{record.name}, shard {record.shard}" if record.shard else record.name
     where = f"results go to {shown(directory.path)}"
     if not left:
-        print(f"{record.name}{share}: all {done} trials have been run", flush=True)
+        print(f"{name}: all {done} trials have been run", flush=True)
     elif done:
-        print(f"{record.name}{share}: going on with {left} of {done + left} trials, {backend.words}; {where}", flush=True)
+        print(f"{name}: going on with {left} of {done + left} trials, {backend.words}; {where}", flush=True)
     else:
-        print(f"{record.name}{share}: {left} trials, {backend.words}; {where}", flush=True)
+        print(f"{name}: {left} trials, {backend.words}; {where}", flush=True)
 
 
 def _run(task: Task, record: Record, backend: Backend, done: List[Result], left: List[PlannedTrial],
          places: Places, signals: Signals) -> None:
     directory = task.directory
-    session = Session(shlex.join(["deploy/scarab", *sys.argv[1:]]), source_version(places.root), backend.words)
+    session = Session(shlex.join(["deploy/scarab", *sys.argv[1:]]), task.version, backend.words)
     record.sessions.append(session)
     record.version = ", ".join(dict.fromkeys(s.version for s in record.sessions))
     record.write(directory)
+    seats = backend.seats(places, directory, record.recorded, signals)
     estimate = Estimate(done, left, time.monotonic)
-    progress = Progress(record.name, len(done) + len(left), len(done), sum(r.success for r in done), estimate,
-                        sys.stderr)
+    progress = Progress(record.name, len(done) + len(left), done, estimate, sys.stderr)
 
     def listen(result: Optional[Result]) -> None:
         if result is not None:
             estimate.add(result)
-            progress.add(result.success)
-            session.trials += 1
+            progress.add(result)
         progress.show()
 
     journal = Journal(directory.journal)
     try:
-        seats = backend.seats(places, directory, record.recorded, signals)
-        Dispatch(seats, left, journal, listen, signals).run()
-    except Interrupted:
-        raise Interrupted(f"interrupted after {len(done) + session.trials} of {len(done) + len(left)} trials; the "
-                          "same command goes on from there") from None
+        with _saying_what_is_kept(progress, directory):
+            Dispatch(seats, left, journal, listen, signals).run()
     finally:
         journal.close()
         progress.finish()
-        session.wall_s, session.simulated_s = round(estimate.elapsed_s, 3), round(estimate.simulated_s, 3)
+        session.trials = progress.done - len(done)
+        session.wall_s, session.simulated_s = round(estimate.elapsed_s, 3), estimate.simulated_s
         record.write(directory)
         _write_results(directory, record)
     print(f"{session.trials} trials, {session.simulated_s:.0f} s of simulated time, in "
           f"{duration(session.wall_s)} ({estimate.speed or 0:.0f} x real time)")
+
+
+@contextmanager
+def _saying_what_is_kept(progress: Progress, directory: ExperimentDirectory) -> Iterator[None]:
+    """Of an end in the middle."""
+    try:
+        yield
+    except Interrupted:
+        raise Interrupted(f"interrupted after {progress.done} of {progress.total} trials; the same command "
+                          "goes on from there") from None
+    except Failure as failure:
+        raise Failure(f"{failure}\n{progress.done} of {progress.total} trials are kept in "
+                      f"{shown(directory.path)}, from which the same command goes on; what the workers "
+                      f"wrote is in {shown(directory.logs)}") from None
 
 
 def _finish(task: Task, record: Record, with_report: bool, places: Places,
@@ -141,7 +153,8 @@ def _finish(task: Task, record: Record, with_report: bool, places: Places,
     results = _write_results(task.directory, record)
     print(f"\n{outcome_tables(task.plan, results)}\n", flush=True)
     if record.shard:
-        print(f"when all {record.the_shard().of} shards are there: deploy/scarab experiment merge DIR... --out DIR")
+        print(f"when all {record.the_shard().of} shards are there: "
+              "deploy/scarab experiment merge DIR... --out DIR")
     elif with_report:
         draw_report(places, task.directory.path, signals)
     say_where(task.directory.path)

@@ -8,7 +8,7 @@ from ..domain_claim import claim_domain
 from ..keeper_events import Event, event_line
 from ..launch import Checked, Launched, begin
 from ..places import Places
-from ..running_stack import Kind
+from ..running_stack import Kind, end_leftovers
 from ..signals import Signals
 from ..stack import Pace
 from ..trial_lock import TrialLock
@@ -21,7 +21,8 @@ _PATIENCE_S = 5.0
 
 
 class StackSeat:
-    """Keeps its stack from trial to trial; a recorded trial has one of its own, whose logger's file is its log."""
+    """Keeps its stack from trial to trial; a recorded trial has one of its own, whose logger's file is its
+    log."""
 
     def __init__(self, number: int, places: Places, checked: Checked, directory: ExperimentDirectory,
                  record: bool, signals: Signals):
@@ -41,8 +42,8 @@ class StackSeat:
     def give(self, trial: PlannedTrial) -> None:
         self._trial = trial
         if self._launched is None:
-            self._launched = begin(self._places, self._checked, claim_domain(None), Pace.LOCKSTEP, Kind.RUN,
-                                   self._directory.stacks)
+            self._launched = begin(self._places, self._checked, claim_domain(None), Pace.LOCKSTEP,
+                                   Kind.RUN, self._directory.stacks)
         elif self._worker is not None:
             self._worker.give(trial.line())
 
@@ -81,6 +82,7 @@ class StackSeat:
             self._lock = None
         if self._launched is not None:
             self._launched.keeper.stop(self._signals)
+            end_leftovers(self._launched.run.directory)  # of a keeper that was killed
             self._launched = None
 
     def _note(self, event: Event) -> None:
@@ -102,8 +104,8 @@ class StackSeat:
         self._lock = TrialLock.try_take(run.directory.trial_lock)
         if self._lock is None:
             raise Fault("somebody else runs trials on its stack")
-        self._worker = WorkerProcess(
-            [self._program, *run.bus.arguments(), "--expect", run.stack.expected(), "--worker"], self._log_file)
+        command = [self._program, *run.bus.arguments(), "--expect", run.stack.expected(), "--worker"]
+        self._worker = WorkerProcess(command, self._log_file)
         self._worker.give(self._trial.line())
 
     def _keep_log(self) -> None:

@@ -12,7 +12,8 @@ from ..spawn import spawn
 
 
 class WorkerProcess:
-    """Its end shows at its output, which is the one thing to wait for. What it says besides goes to a log file."""
+    """Its end shows at its output, which is the one thing to wait for. What it says besides goes to a log
+    file."""
 
     def __init__(self, command: Sequence[Union[str, Path]], log_file: Path):
         with open(log_file, "ab") as log:

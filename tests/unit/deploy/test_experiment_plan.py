@@ -16,6 +16,7 @@ from launcher.experiment_verb import list_text
 from launcher.experiments.declaration import experiment_schema
 from launcher.experiments.experiment_file import find_experiment, known_experiments, read_experiment
 from launcher.experiments.plan import TRIAL_KEYS, Shard, make_plan
+from launcher.experiments.results import COLUMNS
 from launcher.failure import ConfigError, UsageError
 
 NAMES = ("beyond", "cpg", "obstacle", "obstacle_high", "psn", "robustness", "sequence", "transport_speed", "vrn",
@@ -152,6 +153,52 @@ class OfTheRepository(unittest.TestCase):
         self.assertEqual(cells, set(itertools.product(strategies, [n / 100 for n in range(2, 12)])))
         self.assertEqual(len(trials), 600)
         self.assertEqual({(t.goal, t.time_limit_s) for t in trials}, {("across", 60)})
+
+
+class Page(unittest.TestCase):
+    """docs/experiments.md."""
+
+    text = (SOURCE_ROOT / "docs" / "experiments.md").read_text()
+
+    def test_it_lists_the_columns_in_their_order(self):
+        section = self.text[self.text.index("### Columns"):self.text.index("### One trial again")]
+        listed = [name for row in re.findall(r"^\| (`[^|]*) \|", section, re.MULTILINE)
+                  for name in re.findall(r"`([a-z0-9_]+)`", row)]
+        self.assertEqual(tuple(listed), COLUMNS)
+
+    def test_it_names_every_experiment_with_its_figure(self):
+        for name in NAMES:
+            row = re.search(rf"^\| (?:`\w+`, )?`{name}`.*$", self.text, re.MULTILINE)
+            self.assertIsNotNone(row, name)
+            figure = read_experiment(find_experiment(name, SOURCE_ROOT)).paper_figure
+            self.assertIn(figure.removeprefix("Fig. ") or "| - |", row[0])
+
+    def test_its_example_is_an_experiment(self):
+        example = self.text[self.text.index("```yaml\n") + 8:]
+        self.assertEqual(len(make_plan(read(example[:example.index("```")])).trials), 40)
+
+
+class Checked(unittest.TestCase):
+    """`scarab config check`."""
+
+    def check(self, *files):
+        return subprocess.run([str(SCARAB), "config", "check", *map(str, files)], capture_output=True,
+                              text=True, check=False)
+
+    def test_experiments_of_the_repository_are_right(self):
+        files = sorted((SOURCE_ROOT / "config" / "experiments").glob("*.yaml"))
+        done = self.check(*files)
+        self.assertEqual((done.returncode, done.stderr), (0, ""))
+        self.assertEqual(done.stdout.splitlines(), [f"{file}: ok" for file in files])
+
+    def test_mistake_is_one_line_with_its_place(self):
+        with tempfile.TemporaryDirectory() as folder:
+            file = Path(folder) / "experiments" / "tiny.yaml"
+            file.parent.mkdir()
+            file.write_text(EXPERIMENT.replace("trials: 3", "trials: many"))
+            done = self.check(file)
+        self.assertEqual((done.returncode, done.stdout), (2, ""))
+        self.assertEqual(done.stderr, f"{file}:9:9: trials: expected an integer, found a text 'many'\n")
 
 
 if __name__ == "__main__":

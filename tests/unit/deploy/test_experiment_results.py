@@ -172,14 +172,15 @@ class Terminal(io.StringIO):
 
 class Shown(Clock):
     def progress(self, stream):
-        return Progress("tiny", 12, 0, 0, self.estimate, stream, lambda: self.now)
+        return Progress("tiny", 12, [], self.estimate, stream, lambda: self.now)
 
     def run_through(self, stream):
         progress = self.progress(stream)
         for index in range(12):
             self.now += 4
-            self.estimate.add(self.result(index, time_s=50))
-            progress.add(index % 2 == 0)
+            result = self.result(index, time_s=50, success=index % 2 == 0)
+            self.estimate.add(result)
+            progress.add(result)
             progress.show()
         progress.finish()
         return stream.getvalue()
@@ -199,7 +200,7 @@ class Shown(Clock):
         self.assertIn("starting", progress.text())
         self.now += 10
         self.estimate.add(self.result(0, time_s=50))
-        progress.add(True)
+        progress.add(self.result(0, time_s=50))
         self.assertEqual(progress.text(), f"tiny [{'=' * 2}{' ' * 22}] 1/12, 1 succeeded, 5 x real time, 1:50 left")
 
 
