@@ -79,7 +79,7 @@ void TrialWatch::see(const scarab_Behaviour& behaviour) {
   const double time_s = seconds(behaviour.header.sim_time_ns);
   outcome_.changes.push_back({time_s, outcome_.end.state, behaviour.reason});
   auto* entry = entry_of(outcome_.measures, behaviour.state);
-  if (entry && !*entry) *entry = time_s;
+  if (entry != nullptr && !*entry) *entry = time_s;
 }
 
 void TrialWatch::see(const scarab_WorldState& world) {
