@@ -25,9 +25,10 @@ class Grid:
 
 
 def mass_by_diameter(experiment: Experiment) -> Grid:
-    """Of the cells with the friction as configured."""
-    return _grid([cell for cell in experiment.cells if cell.key.friction_scale == 1],
-                 lambda key: (key.object_mass_kg, key.object_diameter_m))
+    """Of the cells with the friction as configured; where diameters are said, of those."""
+    cells = [cell for cell in experiment.cells if cell.key.friction_scale == 1]
+    said = [cell for cell in cells if cell.key.object_diameter_m]
+    return _grid(said or cells, lambda key: (key.object_mass_kg, key.object_diameter_m))
 
 
 def friction_by_mass(experiment: Experiment) -> Grid:

@@ -8,11 +8,15 @@ from .trial import Conditions
 _SOURCE_ROOT = Path(__file__).resolve().parents[2]
 
 
+def from_the_top(path: Path) -> Path:
+    """As somebody at the top of the source tree names it."""
+    whole = path.resolve()
+    return whole.relative_to(_SOURCE_ROOT) if whole.is_relative_to(_SOURCE_ROOT) else whole
+
+
 def row_command(directory: Path, trial: Conditions) -> str:
-    """By its row; from the top of the source tree."""
-    table = directory.resolve() / "results.csv"
-    inside = table.is_relative_to(_SOURCE_ROOT)
-    return f"deploy/scarab sim --row {table.relative_to(_SOURCE_ROOT) if inside else table}:{trial.index}"
+    """By its row."""
+    return f"deploy/scarab sim --row {from_the_top(directory / 'results.csv')}:{trial.index}"
 
 
 def rerun_command(trial: Conditions, robot: str = "") -> str:

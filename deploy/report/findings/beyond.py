@@ -1,7 +1,8 @@
 """Further than the paper: soft+hard, one parameter set, held-out seeds."""
 
 from ..experiment import Experiment
-from ..wording import counted, failures, shown_height
+from ..failure_detail import why_failed
+from ..wording import counted, shown_height
 from .finding import Finding, Source, Verdict, graded
 
 STRATEGY = "soft+hard"
@@ -19,7 +20,7 @@ def up_to_12_cm(experiment: Experiment) -> Finding:
     cells = [cell for cell in experiment.of(STRATEGY) if 0 < cell.key.height_m <= AIMS[0][0]]
     met = [cell.share >= AIMS[0][1] for cell in cells]
     missed = [cell for cell, good in zip(cells, met) if not good]
-    reasons = [f"at {shown_height(cell.key.height_m)}: {failures([cell])}" for cell in missed]
+    reasons = [f"at {shown_height(cell.key.height_m)}: {why_failed([cell])}" for cell in missed]
     return Finding(
         "up_to_12_cm", "Soft then hard pushing succeeds in at least 38 of 40 trials at every height up to 12 cm.",
         graded(met), [f"{shown_height(cell.key.height_m)}: {counted(cell)}" for cell in cells], "; ".join(reasons),
@@ -33,7 +34,7 @@ def at_14_cm(experiment: Experiment) -> Finding:
         return Finding("at_14_cm", statement, Verdict.OPEN, [], source=Source.AIM)
     good = cell.share >= AIMS[1][1]
     return Finding("at_14_cm", statement, graded([good]), [counted(cell)],
-                   "" if good else failures([cell]), Source.AIM)
+                   "" if good else why_failed([cell]), Source.AIM)
 
 
 FINDINGS = (up_to_12_cm, at_14_cm)

@@ -1,13 +1,15 @@
 """The paper's first experiment: pushing 1.46 m over the flat (Fig. 5)."""
 
+import math
 from typing import List, Optional
 
 from ..cells import Cell, pooled
 from ..exact_tests import rank_sum_p, shown_p
 from ..experiment import Experiment
+from ..failure_detail import why_failed
 from ..intervals import mean
 from ..trial import is_loss
-from ..wording import counted, failures, spread
+from ..wording import counted, spread
 from .finding import HALF, Finding, Verdict, does_the_job, graded
 
 _SLOWER = ("boxing", "stationary")
@@ -28,7 +30,7 @@ def soft_fastest(experiment: Experiment) -> Finding:
         return Finding("soft_fastest", statement, Verdict.OPEN, numbers)
     if not does_the_job(soft):
         return Finding("soft_fastest", statement, Verdict.DIFFERS, numbers,
-                       f"soft pushing does not arrive in half of its trials: {failures([soft])}")
+                       f"soft pushing does not arrive in half of its trials: {why_failed([soft])}")
     numbers += [f"soft before {cell.key.strategy}: {shown_p(rank_sum_p(soft.times_s, cell.times_s))} "
                 f"(exact rank sum test, one-sided, {len(soft.times_s)} against {len(cell.times_s)} arrivals)"
                 for cell in rivals]
@@ -49,7 +51,7 @@ def others_arrive(experiment: Experiment) -> Finding:
         slower = bool(soft and soft.times_s and cell.times_s) and mean(cell.times_s) > mean(soft.times_s)
         met.append(does_the_job(cell) and slower)
         if not does_the_job(cell):
-            reasons.append(f"{cell.key.strategy} fails more often than not: {failures([cell])}")
+            reasons.append(f"{cell.key.strategy} fails more often than not: {why_failed([cell])}")
         elif not slower:
             reasons.append(f"{cell.key.strategy} is not slower than soft pushing")
     return Finding("others_arrive", "Boxing and stationary bring the object to the end point, too, but need more time.",
@@ -65,10 +67,10 @@ def hard_fails(experiment: Experiment) -> Finding:
     if not hard:
         return Finding("hard_fails", statement, Verdict.OPEN, [])
     losses = sum(map(is_loss, hard.trials))
-    away = [abs(trial.object_sideways_m) for trial in hard.trials]
+    turned = [abs(math.degrees(trial.heading_rad)) for trial in hard.trials]
     numbers = [f"{counted(hard)} arrive", f"{losses}/{hard.n} lose the object or fall",
-               f"the object ends {min(away):.2f} to {max(away):.2f} m to the side"]
-    if kinds := failures([hard]):
+               f"in the end the robot has turned by {min(turned):.0f}° to {max(turned):.0f}°"]
+    if kinds := why_failed([hard]):
         numbers.append(f"failures: {kinds}")
     if losses >= HALF * hard.n:
         return Finding("hard_fails", statement, Verdict.AGREES, numbers)

@@ -5,9 +5,10 @@ from typing import Callable, List, Optional, Tuple
 
 from ..exact_tests import shown_p, sign_p
 from ..experiment import Experiment
+from ..failure_detail import why_failed
 from ..intervals import mean
 from ..trial import Trial
-from ..wording import centimetres, counted, failures, shown_height
+from ..wording import centimetres, counted, shown_height
 from .finding import Finding, Source, Verdict, does_the_job, graded
 
 BASES = ("soft", "boxing", "stationary")
@@ -53,7 +54,7 @@ def combinations_beat_single(experiment: Experiment) -> Finding:
         numbers.append(f"{shown}; of the pairs that differ {won} to {lost} ({shown_p(sign_p(won, lost))}, exact sign "
                        "test)")
         if not met[-1]:
-            kinds = failures(experiment.of(combination))
+            kinds = why_failed(experiment.of(combination))
             why = f"; it fails by: {kinds}" if kinds else ""
             reasons.append(f"{combination} is no better than {base} alone{why}")
     return Finding("combinations_beat_single", statement, graded(met), numbers, "; ".join(reasons))
@@ -72,8 +73,9 @@ def soft_hard_fastest(experiment: Experiment) -> Finding:
         won, lost = both.won(lambda a, b: a.time_s < b.time_s)
         later = mean([b.time_s - a.time_s for a, b in both.of])
         met.append(later > 0)
-        numbers.append(f"against {rival}: {later:+.1f} s in the mean over {len(both.of)} starts from which both "
-                       f"succeed, faster in {won}, slower in {lost} ({shown_p(sign_p(won, lost))}, exact sign test)")
+        numbers.append(f"{rival} takes {abs(later):.1f} s {'more' if later > 0 else 'less'} in the mean over "
+                       f"{len(both.of)} starts from which both succeed: {_BEST} is faster in {won}, slower in {lost} "
+                       f"({shown_p(sign_p(won, lost))}, exact sign test)")
         if not met[-1]:
             reasons.append(f"{rival} is faster from the same starts")
     return Finding("soft_hard_fastest", statement, graded(met), numbers, "; ".join(reasons))
@@ -91,7 +93,7 @@ def up_to_10_cm(experiment: Experiment) -> Optional[Finding]:
         numbers.append(f"{combination} at 10 cm: {counted(at_limit)}; highest with at least half: "
                        f"{_shown(highest(experiment, combination))}")
         if not met[-1]:
-            reasons.append(f"{combination} fails at 10 cm by: {failures([at_limit])}")
+            reasons.append(f"{combination} fails at 10 cm by: {why_failed([at_limit])}")
     numbers += [f"{base} alone: highest with at least half: {_shown(highest(experiment, base))}"
                 for base in BASES if experiment.of(base)]
     statement = ("The combinations bring the object across obstacles of up to 10 cm (judged here: in at least half of "
@@ -115,7 +117,7 @@ def beyond_10_cm(experiment: Experiment) -> Optional[Finding]:
     verdict = Verdict.OPEN if not met else Verdict.AGREES if any(met) else Verdict.DIFFERS
     combined = [cell for name in COMBINATIONS for cell in experiment.of(name) if cell.key.height_m in higher]
     statement = "A combination crosses more than the paper's 10 cm, in at least half of the trials at some height."
-    return Finding("beyond_10_cm", statement, verdict, numbers, "" if any(met) else failures(combined), Source.AIM)
+    return Finding("beyond_10_cm", statement, verdict, numbers, "" if any(met) else why_failed(combined), Source.AIM)
 
 
 def highest(experiment: Experiment, strategy: str) -> Optional[float]:

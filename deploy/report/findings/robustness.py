@@ -4,8 +4,9 @@ from typing import Iterable
 
 from ..cells import Cell
 from ..experiment import Experiment
+from ..failure_detail import why_failed
 from ..grids import friction_by_mass, mass_by_diameter
-from ..wording import conditions, counted, failures
+from ..wording import conditions, counted
 from .finding import Finding, Source, does_the_job, graded
 
 
@@ -17,7 +18,7 @@ def _holds(name: str, what: str, cells: Iterable[Cell]) -> Finding:
     numbers += [f"worst: {conditions(cell.key)}: {counted(cell)}" for cell in best_first[-1:]]
     return Finding(name, f"Success in at least half of the trials over {what}.",
                    graded([does_the_job(cell) for cell in run]), numbers,
-                   f"where it fails: {failures(failing)}" if failing else "", Source.AIM)
+                   f"where it fails: {why_failed(failing)}" if failing else "", Source.AIM)
 
 
 def object_changes(experiment: Experiment) -> Finding:

@@ -4,9 +4,10 @@ from typing import List, Optional
 
 from ..behaviour_signals import behaviour_signals
 from ..experiment import Experiment
+from ..failure_detail import why_failed
 from ..failure import ReportError
 from ..trial import Trial
-from ..wording import failures, seconds
+from ..wording import seconds
 from .finding import Finding, Verdict, graded
 
 _NAMES = ("climb", "mode 1", "mode 2")
@@ -54,7 +55,7 @@ def crosses(experiment: Experiment) -> Finding:
     successes = sum(trial.success for trial in experiment.trials)
     numbers = [f"{successes}/{len(experiment.trials)} trials succeed"] if experiment.trials else []
     return Finding("crosses", "By this sequence the object is moved across an obstacle of 5 cm.",
-                   graded([trial.success for trial in experiment.trials]), numbers, failures(experiment.cells))
+                   graded([trial.success for trial in experiment.trials]), numbers, why_failed(experiment.cells))
 
 
 def _in_order(trial: Trial) -> bool:

@@ -3,8 +3,9 @@
 import math
 
 from ..experiment import Experiment
+from ..failure_detail import why_failed
 from ..intervals import mean
-from ..wording import counted, failures
+from ..wording import counted
 from .finding import Finding, Source, Verdict, graded
 
 BAND_DEG = 10.0
@@ -26,7 +27,7 @@ def _keeps_heading(experiment: Experiment, strategy: str, word: str) -> Finding:
                *(f"arrive: {counted(cell)}" for cell in cells)]
     kept = sum(abs(angle) <= BAND_DEG for angle in end)
     reason = "" if all(inside) else "; ".join(filter(None, [
-        f"{kept} of {len(trials)} are within {BAND_DEG:g}° at the end", failures(cells)]))
+        f"{kept} of {len(trials)} are within {BAND_DEG:g}° at the end", why_failed(cells)]))
     return Finding(f"walks_{word}", statement, graded(inside), numbers, reason, Source.AIM)
 
 

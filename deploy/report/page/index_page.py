@@ -9,6 +9,7 @@ from ..failure import ReportError
 from .inline_svg import inline_svg
 from .markup import Html, bullets, element, page, table
 
+_SHOWN_NUMBERS = 3  # of a finding; its report has them all
 _CLASS = {"agrees": "agrees", "met": "agrees", "partly": "partly", "partly met": "partly", "does not agree": "differs",
           "not met": "differs"}
 
@@ -26,7 +27,7 @@ def write_index_page(directories: List[Path], out: Path) -> Path:
         element("p", f"{agreed} of {count} statements hold. Each experiment has a report of its own with the "
                      "conditions, all numbers and the command that runs any one trial again."),
         element("h2", "Paper, Scarab, command"),
-        table(("experiment", "paper", "Scarab", "measured", "command"), rows, "findings"), *figures))
+        table(("experiment", "paper", "Scarab", "command"), rows, "findings overview"), *figures))
     return out
 
 
@@ -43,8 +44,10 @@ def _rows(directory: Path, summary: Dict[str, Any], out: Path) -> List[tuple]:
     for i, finding in enumerate(summary["findings"]):
         verdict = element("span", finding["verdict"], class_=f"verdict {_CLASS.get(finding['verdict'], 'open')}")
         source = "" if finding["source"] == "paper" else f" ({finding['source']})"
-        rows.append((_link(directory, summary, out) if i == 0 else "", finding["statement"] + source, verdict,
-                     bullets(finding["numbers"][:4]), element("code", summary["command"]) if i == 0 else ""))
+        name = Html(_link(directory, summary, out) + element("span", f" {summary['paper_figure']}", class_="quiet"))
+        measured = Html(verdict + bullets(finding["numbers"][:_SHOWN_NUMBERS]))
+        rows.append((name if i == 0 else "", finding["statement"] + source, measured,
+                     element("code", summary["command"]) if i == 0 else ""))
     return rows
 
 

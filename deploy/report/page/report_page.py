@@ -7,7 +7,7 @@ from ..cells import Cell
 from ..experiment import Experiment
 from ..findings.finding import Finding, Verdict
 from ..intervals import deviation, mean, median
-from ..rerun import rerun_command, row_command
+from ..rerun import from_the_top, rerun_command, row_command
 from ..trial import failure_kind
 from ..wording import conditions, failures, interval, perturbation, seconds, seeds
 from .inline_svg import inline_svg
@@ -85,7 +85,7 @@ def _measured(experiment: Experiment, directory: Path) -> Html:
         "section", element("h2", "How it was measured"), command(plan.command), element("dl", *items),
         element("p", "Any one trial again, here the first, by its row; or the same without the table:"),
         command(f"{row_command(directory, first)}\n{rerun_command(first, plan.robot)}".strip()),
-        element("p", "The figures and this page again:"), command(f"deploy/report/report.py {directory}"))
+        element("p", "The figures and this page again:"), command(f"deploy/report/report.py {from_the_top(directory)}"))
 
 
 def _took(experiment: Experiment) -> str:

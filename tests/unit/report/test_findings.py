@@ -118,11 +118,12 @@ class AcrossObstacles(ScratchDirectory):
         found = {f.name: f for f in self.judged(self.experiment("obstacle", trials, run))}
         finding = found["soft_hard_fastest"]
         self.assertEqual(finding.word, "agrees")
-        self.assertIn("+2.0 s in the mean over 10 starts", finding.numbers[0])
+        self.assertIn("boxing+hard takes 2.0 s more in the mean over 10 starts", finding.numbers[0])
 
     def test_reasons_count_what_failed(self):
         found = {f.name: f for f in self.judged(self.across({**self.LIMITS, "boxing+hard": 0.02}, self.TIMES))}
-        self.assertIn("boxing+hard fails at 10 cm by: 10 × time limit", found["up_to_10_cm"].reason)
+        self.assertIn("boxing+hard fails at 10 cm by: 10 × time limit (the object 1.50 m on its way, 0 of them in mode 2)",
+                      found["up_to_10_cm"].reason)
 
 
 class Sequence(ScratchDirectory):
