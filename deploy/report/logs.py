@@ -36,7 +36,7 @@ class Logs:
         self._tables: Dict[tuple, Dict[str, List[str]]] = {}
 
     def samples(self, trial: Conditions, topic: str, fields: Sequence[str]) -> Dict[str, List[str]]:
-        """Columns over samples, not to be changed; `header.sim_time_ns` is one. ReportError where nothing is recorded."""
+        """Columns over samples, not to be changed; `header.sim_time_ns` is one. ReportError where there are none."""
         recorded = self._recorded(trial)
         if recorded is None:
             raise ReportError(f"{self._directory} has no log of {trial.strategy}, seed {trial.seed}, "

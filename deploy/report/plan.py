@@ -26,6 +26,7 @@ class Plan:
     configuration: str
     trials: List[Conditions]
     robot: str = ""
+    shard: str = ""  # such as 1/4; empty: the whole experiment
     wall_s: float = 0.0  # that all sessions took; 0: not known
     simulated_s: float = 0.0
 
@@ -50,6 +51,7 @@ def read_plan(file: Path) -> Plan:
     return Plan(
         **texts, paper_figure=str(document.get("paper_figure") or ""), paper=_paragraphs(document.get("paper")),
         notes=_paragraphs(document.get("notes")), robot=str(document.get("robot") or ""),
+        shard=str(document.get("shard") or ""),
         trials=[_conditions(trial, f"{file}: trials[{i}]") for i, trial in enumerate(trials)],
         wall_s=_total(document, "wall_s"), simulated_s=_total(document, "simulated_s"))
 

@@ -10,6 +10,7 @@ from matplotlib.axes import Axes
 from ..cells import Cell
 from ..experiment import Experiment
 from ..failure import ReportError
+from ..findings.finding import does_the_job
 from ..intervals import deviation, mean
 from .spread_out import spread_out
 from .style import COLUMN, GREY, INK, RULE, journal_style, mode_style, save, sign
@@ -29,7 +30,8 @@ def draw(experiment: Experiment, prefix: Path) -> List[Path]:
             _arrivals(axis, place, cell)
         lines = max(_failures(failed, place, cell) for place, cell in enumerate(cells))
         _dress(failed, axis, cells, lines)
-        sign(figure, experiment.plan.trials, f"{_counts(cells)} trials a mode")
+        barless = [] if all(map(does_the_job, cells)) else ["no bar where fewer than half arrive"]
+        sign(figure, experiment.plan.trials, f"{_counts(cells)} trials a mode", *barless)
         return save(figure, prefix)
 
 
@@ -40,8 +42,9 @@ def _arrivals(axis: Axes, place: int, cell: Cell) -> None:
         axis.text(place, 0.5, "none arrived", transform=axis.get_xaxis_transform(), rotation=90,
                   ha="center", va="center", color=GREY)
         return
-    axis.bar(place, mean(times), _BAR, color=colour, edgecolor=INK, hatch=hatch, linewidth=0.6, alpha=0.55)
-    axis.errorbar(place, mean(times), deviation(times), color=INK, capsize=4, linewidth=1.0, zorder=4)
+    if does_the_job(cell):
+        axis.bar(place, mean(times), _BAR, color=colour, edgecolor=INK, hatch=hatch, linewidth=0.6, alpha=0.55)
+        axis.errorbar(place, mean(times), deviation(times), color=INK, capsize=4, linewidth=1.0, zorder=4)
     axis.plot([place + shift for shift in spread_out(len(times), _BAR * 0.32)], times, linestyle="", marker=marker,
               markersize=3.2, markerfacecolor="white", markeredgecolor=INK, markeredgewidth=0.6, zorder=5)
     top = max([*times, mean(times) + (deviation(times) or 0)])

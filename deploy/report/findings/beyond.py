@@ -21,10 +21,13 @@ def up_to_12_cm(experiment: Experiment) -> Finding:
     met = [cell.share >= AIMS[0][1] for cell in cells]
     missed = [cell for cell, good in zip(cells, met) if not good]
     reasons = [f"at {shown_height(cell.key.height_m)}: {why_failed([cell])}" for cell in missed]
-    return Finding(
-        "up_to_12_cm", "Soft then hard pushing succeeds in at least 38 of 40 trials at every height up to 12 cm.",
-        graded(met), [f"{shown_height(cell.key.height_m)}: {counted(cell)}" for cell in cells], "; ".join(reasons),
-        Source.AIM)
+    numbers = [f"{shown_height(cell.key.height_m)}: {counted(cell)}" for cell in cells]
+    if cells:
+        worst = min(cells, key=lambda cell: cell.share)
+        numbers.insert(0, f"reached at {sum(met)} of {len(met)} heights; least: {worst.count} at "
+                       f"{shown_height(worst.key.height_m)}")
+    statement = "Soft then hard pushing succeeds in at least 38 of 40 trials at every height up to 12 cm."
+    return Finding("up_to_12_cm", statement, graded(met), numbers, "; ".join(reasons), Source.AIM)
 
 
 def at_14_cm(experiment: Experiment) -> Finding:

@@ -3,7 +3,7 @@
 import json
 import os
 from pathlib import Path
-from typing import Any, Dict, List
+from typing import Any, Dict, List, Tuple
 
 from ..failure import ReportError
 from .inline_svg import inline_svg
@@ -19,16 +19,22 @@ def write_index_page(directories: List[Path], out: Path) -> Path:
     reports = [(directory, _summary(directory)) for directory in directories]
     rows = [row for directory, summary in reports for row in _rows(directory, summary, out)]
     figures = [_figure(directory, summary, out) for directory, summary in reports]
-    agreed = sum(finding["verdict"] in ("agrees", "met") for _, s in reports for finding in s["findings"])
-    count = sum(len(summary["findings"]) for _, summary in reports)
+    of_paper, of_aims = _tally(reports, "paper"), _tally(reports, "aim of Scarab")
     out.write_text(page(
         "Scarab: the paper's experiments", element("p", "Scarab", class_="kicker"),
         element("h1", "The paper's experiments, reproduced"),
-        element("p", f"{agreed} of {count} statements hold. Each experiment has a report of its own with the "
-                     "conditions, all numbers and the command that runs any one trial again."),
+        element("p", f"Of the paper's statements that were tested {of_paper} agree; of the aims beyond it {of_aims} "
+                     "are met. Each experiment has a report of its own with the conditions, all numbers and the "
+                     "command that runs any one trial again."),
         element("h2", "Paper, Scarab, command"),
         table(("experiment", "paper", "Scarab", "command"), rows, "findings overview"), *figures))
     return out
+
+
+def _tally(reports: List[Tuple[Path, Dict[str, Any]]], source: str) -> str:
+    verdicts = [finding["verdict"] for _, summary in reports for finding in summary["findings"]
+                if finding["source"] == source]
+    return f"{sum(verdict in ('agrees', 'met') for verdict in verdicts)} of {len(verdicts)}"
 
 
 def _summary(directory: Path) -> Dict[str, Any]:

@@ -13,7 +13,7 @@ from ..wording import conditions, failures, interval, perturbation, seconds, see
 from .inline_svg import inline_svg
 from .markup import Content, Html, bullets, command, element, page, table
 
-_SHOWN_FAILURES = 400
+_SHOWN_FAILURES, _OPEN_FAILURES = 400, 20
 _CLASS = {Verdict.AGREES: "agrees", Verdict.PARTLY: "partly", Verdict.DIFFERS: "differs", Verdict.OPEN: "open"}
 
 
@@ -77,9 +77,10 @@ def _notes(notes: List[str]) -> Content:
 def _measured(experiment: Experiment, directory: Path) -> Html:
     plan = experiment.plan
     first = plan.trials[0]
-    facts = (("trials", f"{len(experiment.trials)} of {len(plan.trials)}"), ("perturbation", perturbation(plan.trials)),
-             ("seeds", seeds(plan.trials)), ("robot", plan.robot), ("version", plan.version),
-             ("configuration", plan.configuration), ("took", _took(experiment)))
+    facts = (("trials", f"{len(experiment.trials)} of {len(plan.trials)}"),
+             ("part", f"{plan.shard} of the whole experiment" if plan.shard else ""),
+             ("perturbation", perturbation(plan.trials)), ("seeds", seeds(plan.trials)), ("robot", plan.robot),
+             ("version", plan.version), ("configuration", plan.configuration), ("took", _took(experiment)))
     items = [part for name, text in facts if text for part in (element("dt", name), element("dd", text))]
     return element(
         "section", element("h2", "How it was measured"), command(plan.command), element("dl", *items),
@@ -125,7 +126,8 @@ def _failures(experiment: Experiment, directory: Path) -> Content:
         "section", element("h2", f"Failures: {len(failed)} of {len(experiment.trials)} trials"),
         element("details", element("summary", "each with the command that runs it again"),
                 table(("conditions", "seed", "after", "kind", "the referee's reason", "again"), rows),
-                element("p", f"and {left} more, in results.csv") if left else ""))
+                element("p", f"and {left} more, in results.csv") if left else "",
+                **({"open": "open"} if len(failed) <= _OPEN_FAILURES else {})))
 
 
 def _method() -> Html:

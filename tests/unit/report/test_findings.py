@@ -122,8 +122,8 @@ class AcrossObstacles(ScratchDirectory):
 
     def test_reasons_count_what_failed(self):
         found = {f.name: f for f in self.judged(self.across({**self.LIMITS, "boxing+hard": 0.02}, self.TIMES))}
-        self.assertIn("boxing+hard fails at 10 cm by: 10 × time limit (the object 1.50 m on its way, 0 of them in mode 2)",
-                      found["up_to_10_cm"].reason)
+        self.assertIn("boxing+hard fails at 10 cm by: 10 × time limit (the object 1.50 m on its way, 0 of them in "
+                      "mode 2)", found["up_to_10_cm"].reason)
 
 
 class Sequence(ScratchDirectory):
