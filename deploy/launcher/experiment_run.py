@@ -53,6 +53,8 @@ def _work_at_all(tasks: List[Task], backend: Backend, options: argparse.Namespac
     failures = []
     for task in tasks:
         signals.raise_if_stop_requested()
+        if task is not tasks[0]:
+            print()
         try:
             work(task, backend, places, signals, options.fresh, options.report)
         except ReportFailure as failure:

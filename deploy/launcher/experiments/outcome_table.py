@@ -20,8 +20,6 @@ def _table(section: Section, by_index: Dict[int, Result]) -> str:
     if len(section.varied) < 2:
         return _list(section, by_index)
     *of_rows, of_columns = section.varied
-    if _values(section, of_columns) < _values(section, of_rows[0]) and len(of_rows) == 1:
-        of_rows, of_columns = [of_columns], of_rows[0]
     return "\n".join([_matrix(section, by_index, of_rows, of_columns, "succeeded", _successes), "",
                       _matrix(section, by_index, of_rows, of_columns, "mean time s", _mean_time)])
 
@@ -39,7 +37,7 @@ def _matrix(section: Section, by_index: Dict[int, Result], of_rows: Sequence[str
             title: str, said: Callable[[List[Result]], str]) -> str:
     groups = _groups(section, [*of_rows, of_columns])
     columns = list(dict.fromkeys(values[-1] for values in groups))
-    rows = [[f"{title}, by {_name(of_columns)}", *map(_shown, columns)]]
+    rows = [[f"{title}: {', '.join(map(_name, of_rows))} \\ {_name(of_columns)}", *map(_shown, columns)]]
     for start in dict.fromkeys(values[:-1] for values in groups):
         cells = [groups.get((*start, column), []) for column in columns]
         rows.append([" ".join(map(_shown, start)),
@@ -52,10 +50,6 @@ def _groups(section: Section, keys: Sequence[str]) -> Dict[Tuple, List[PlannedTr
     for trial in section.trials:
         groups.setdefault(tuple(getattr(trial, key) for key in keys), []).append(trial)
     return groups
-
-
-def _values(section: Section, key: str) -> int:
-    return len({getattr(trial, key) for trial in section.trials})
 
 
 def _successes(results: List[Result]) -> str:

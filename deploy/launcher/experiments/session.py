@@ -95,11 +95,11 @@ def _say_what_comes(record: Record, done: int, left: int, backend: Backend,
     name = f"{record.name}, shard {record.shard}" if record.shard else record.name
     where = f"results go to {shown(directory.path)}"
     if not left:
-        print(f"{name}: all {done} trials have been run", flush=True)
+        print(f"{name}: {_trials(done)}, all of which have been run", flush=True)
     elif done:
         print(f"{name}: going on with {left} of {done + left} trials, {backend.words}; {where}", flush=True)
     else:
-        print(f"{name}: {left} trials, {backend.words}; {where}", flush=True)
+        print(f"{name}: {_trials(left)}, {backend.words}; {where}", flush=True)
 
 
 def _run(task: Task, record: Record, backend: Backend, done: List[Result], left: List[PlannedTrial],
@@ -127,10 +127,11 @@ def _run(task: Task, record: Record, backend: Backend, done: List[Result], left:
         journal.close()
         progress.finish()
         session.trials = progress.done - len(done)
-        session.wall_s, session.simulated_s = round(estimate.elapsed_s, 3), estimate.simulated_s
+        session.wall_s = round(estimate.elapsed_s, 3)
+        session.simulated_s = round(estimate.simulated_s, 3)
         record.write(directory)
         _write_results(directory, record)
-    print(f"{session.trials} trials, {session.simulated_s:.0f} s of simulated time, in "
+    print(f"{_trials(session.trials)}, {session.simulated_s:.0f} s of simulated time, in "
           f"{duration(session.wall_s)} ({estimate.speed or 0:.0f} x real time)")
 
 
@@ -158,6 +159,10 @@ def _finish(task: Task, record: Record, with_report: bool, places: Places,
     elif with_report:
         draw_report(places, task.directory.path, signals)
     say_where(task.directory.path)
+
+
+def _trials(count: int) -> str:
+    return "1 trial" if count == 1 else f"{count} trials"
 
 
 def _write_results(directory: ExperimentDirectory, record: Record) -> List[Result]:

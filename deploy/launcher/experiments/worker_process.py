@@ -9,6 +9,7 @@ from typing import List, Optional, Sequence, Union
 
 from ..service_child import how_it_ended, last_lines
 from ..spawn import spawn
+from .seat import Fault
 
 
 class WorkerProcess:
@@ -16,8 +17,12 @@ class WorkerProcess:
     file."""
 
     def __init__(self, command: Sequence[Union[str, Path]], log_file: Path):
-        with open(log_file, "ab") as log:
-            self._process = spawn(command, stdin=subprocess.PIPE, stdout=subprocess.PIPE, stderr=log)
+        """Fault where it cannot be started, such as while it is being rebuilt."""
+        try:
+            with open(log_file, "ab") as log:
+                self._process = spawn(command, stdin=subprocess.PIPE, stdout=subprocess.PIPE, stderr=log)
+        except OSError as error:
+            raise Fault(f"{Path(command[0]).name} cannot be started: {error.strerror}") from None
         self._log_file = log_file
         self._buffer = b""
         self._lines: List[str] = []

@@ -43,7 +43,7 @@ class Backends(ExperimentCase):
             subprocess.run([str(BIN / "scarab-log"), "compare", str(in_process / name), str(on_stacks / name)],
                            check=True, capture_output=True)
         out = self.experiment(str(self.file), "--out", str(in_process))  # nothing is left but to draw it
-        self.assertIn("all 2 trials have been run", out)
+        self.assertIn("2 trials, all of which have been run", out)
         for name in ("report.html", "summary.json", "tiny.svg", "tiny.png"):
             self.assertGreater((in_process / name).stat().st_size, 0, name)
 

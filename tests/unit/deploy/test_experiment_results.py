@@ -208,13 +208,13 @@ class Tables(Room):
     def test_rows_are_strategies_and_columns_heights(self):
         results = [self.result(i, success=i % 3 != 0, time_s=10 + i) for i in range(10)]
         self.assertEqual(outcome_tables(self.plan, results).splitlines(), [
-            "succeeded, by height m  0.05  0.1",
-            "soft                     2/3  2/3",
-            "soft+hard                2/3  0/1",
+            "succeeded: strategy \\ height m  0.05  0.1",
+            "soft                             2/3  2/3",
+            "soft+hard                        2/3  0/1",
             "",
-            "mean time s, by height m  0.05   0.1",
-            "soft                      11.5  14.5",
-            "soft+hard                 17.5     -"])
+            "mean time s: strategy \\ height m  0.05   0.1",
+            "soft                               11.5  14.5",
+            "soft+hard                          17.5     -"])
 
 
 if __name__ == "__main__":

@@ -55,7 +55,7 @@ class GoesOn(ExperimentTest):
         (self.bin / "trials").unlink()
         code, out, _ = self.experiment()
         self.assertEqual((code, self.trials_run()), (0, []))
-        self.assertIn("all 12 trials have been run", out)
+        self.assertIn("12 trials, all of which have been run", out)
         self.assertEqual(self.results(), whole)
 
     def test_another_plan_is_refused_and_nothing_is_touched(self):
