@@ -213,8 +213,8 @@ class Tables(Room):
             "soft+hard                        2/3  0/1",
             "",
             "mean time s: strategy \\ height m  0.05   0.1",
-            "soft                               11.5  14.5",
-            "soft+hard                          17.5     -"])
+            "soft                              11.5  14.5",
+            "soft+hard                         17.5     -"])
 
 
 if __name__ == "__main__":
