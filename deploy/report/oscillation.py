@@ -1,6 +1,7 @@
 """What can be said of a signal that swings: period, amplitude, likeness to another."""
 
 import cmath
+import itertools
 import math
 from dataclasses import dataclass
 from typing import List, Sequence, Tuple
@@ -56,7 +57,8 @@ def orbit(x: Sequence[float], y: Sequence[float]) -> Orbit:
     """Needs some turns about the origin; at least 30 states."""
     states = [complex(a, b) for a, b in zip(x, y)]
     turns = [cmath.phase(after * before.conjugate()) for before, after in zip(states, states[1:])]
-    advance = math.fsum(turns) / len(turns)
+    angles = [0.0, *itertools.accumulate(turns)]
+    advance, _ = line_through(range(len(angles)), angles)  # the orbit is no circle: ends alone would mislead
     radius = math.fsum(abs(state) for state in states) / len(states)
     nearest = min(abs(a - b) for i, a in enumerate(states) for b in states[:i])
     if radius < 1e-9:

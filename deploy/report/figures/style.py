@@ -27,7 +27,7 @@ _SETTINGS = {
     "axes.spines.top": False, "axes.spines.right": False, "axes.titlelocation": "left",
     "xtick.major.width": 0.6, "ytick.major.width": 0.6, "xtick.major.size": 2.5, "ytick.major.size": 2.5,
     "lines.linewidth": 1.1, "lines.markersize": 3.5, "hatch.linewidth": 0.6, "legend.frameon": False,
-    "legend.handlelength": 2.2, "svg.fonttype": "path", "svg.hashsalt": "scarab", "figure.dpi": 100}
+    "legend.handlelength": 2.2, "svg.fonttype": "path", "svg.hashsalt": "scarab", "figure.dpi": 220}
 
 
 @contextmanager
@@ -42,7 +42,7 @@ def save(figure: Figure, prefix: Path) -> List[Path]:
     figure.set_layout_engine("none")  # it has done its work: once, not for each file
     files = [Path(f"{prefix}.svg"), Path(f"{prefix}.png")]
     figure.savefig(files[0], metadata={"Date": None, "Creator": None})
-    figure.savefig(files[1], dpi=220, metadata={"Software": None})
+    figure.savefig(files[1], metadata={"Software": None})
     plt.close(figure)
     return files
 

@@ -58,7 +58,7 @@ class Figures(unittest.TestCase):
         # Text is drawn as paths; matplotlib leaves what it says in a comment.
         write_experiment(self.room / "transport_speed", "transport_speed")
         said = re.findall("<!-- (.*?) -->", self.draw(self.room / "transport_speed")[0].read_text(), re.DOTALL)
-        everything = "\n".join(said)
+        everything = " ".join(" ".join(said).split())
         for words in ("start ±2 cm, ±3°", "friction ±10 %", "CPG phase", "4/4", "none arrived", "4 × lost"):
             self.assertIn(words, everything)
 

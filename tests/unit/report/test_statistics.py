@@ -68,7 +68,7 @@ class Oscillations(unittest.TestCase):
         period = 14.43
         angles = [-2 * math.pi * i / period for i in range(300)]
         found = orbit([math.cos(a) for a in angles], [0.8 * math.sin(a) for a in angles])
-        self.assertAlmostEqual(found.period_ticks, period, delta=0.03)
+        self.assertAlmostEqual(found.period_ticks, period, delta=0.003)
         self.assertTrue(found.clockwise)
         self.assertLess(found.scatter, 0.005)
         self.assertFalse(found.repeats)
