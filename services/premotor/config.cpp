@@ -8,6 +8,7 @@ namespace {
 constexpr double kDelayMost = 8;        // places of the delay line
 constexpr double kWarmupMost = 100000;  // ticks
 constexpr config::Range kInputRange{-1, 1};
+constexpr config::Range kBiasRange{-1, 1};  // of a signal within [-1, 1]
 
 }  // namespace
 
@@ -45,11 +46,20 @@ void visit_fields(Fields& f, HindAmplitudeConfig& c) {
 }
 
 template <class Fields>
+void visit_fields(Fields& f, MotorBiasConfig& c) {
+  f("front_middle_t", c.front_middle_t, kBiasRange);
+  f("front_middle_c", c.front_middle_c, kBiasRange);
+  f("hind_t", c.hind_t, kBiasRange);
+  f("hind_c", c.hind_c, kBiasRange);
+}
+
+template <class Fields>
 void visit_fields(Fields& f, NetworkConfig& c) {
   f("cpg", c.cpg);
   f("psn", c.psn);
   f("vrn", c.vrn);
   f("hind_amplitude", c.hind_amplitude);
+  f("motor_bias", c.motor_bias);
   f("t_delay_ticks", c.t_delay_ticks, config::Range{0, kDelayMost});
 }
 

@@ -42,11 +42,23 @@ struct HindAmplitudeConfig {
   double t_bias = 0;       ///< of VRN2.V1
 };
 
+/// Biases of the T- and C-motor neurons of the tripod {L0, R1, L2}; those of {R0, L1, R2} have the
+/// other sign, as their synapses do. They take the mean out of the signal, which the tripod's sign
+/// would turn into offsets that differ between left and right: the robot would walk in a circle
+/// [R].
+struct MotorBiasConfig {
+  double front_middle_t = 0;
+  double front_middle_c = 0;
+  double hind_t = 0;
+  double hind_c = 0;
+};
+
 struct NetworkConfig {
   CpgConfig cpg;
   PsnConfig psn;
   VrnConfig vrn;
   HindAmplitudeConfig hind_amplitude;
+  MotorBiasConfig motor_bias;
   double t_delay_ticks =
       0;  ///< tau of the front and middle T-joints, 0..8; between two ticks: interpolated [R]
 };

@@ -55,24 +55,34 @@ void connect_signals(NetworkDescription& network, const PsnNeurons& psn, const T
 struct Drive {
   Taps t;
   NeuronId c = 0;
+  double t_bias = 0;
+  double c_bias = 0;
 };
 
+/// Synapses and biases of the T- and C-motor neurons take the tripod's sign; F and backbone have
+/// neither.
 void add_motor_neurons(NetworkDescription& network, const Drive& front_middle, const Drive& hind) {
+  const auto drive_of = [&](Leg leg) { return robot::row(leg) == 2 ? hind : front_middle; };
+  std::array<double, robot::kJointCount> bias{};
+  for (const Leg leg : robot::kLegs) {
+    const double sign = robot::tripod_sign(leg);
+    bias[joint_slot(leg, LegJoint::kThoracoCoxal)] = sign * drive_of(leg).t_bias;
+    bias[joint_slot(leg, LegJoint::kCoxaTrochanteral)] = sign * drive_of(leg).c_bias;
+  }
   std::array<NeuronId, robot::kJointCount> motor{};
   for (std::size_t slot = 0; slot < robot::kJointCount; ++slot) {
-    motor[slot] =
-        network.add_neuron("MN." + std::string(robot::kJointNames[slot]), Transfer::kLinear);
+    motor[slot] = network.add_neuron("MN." + std::string(robot::kJointNames[slot]),
+                                     Transfer::kLinear, bias[slot]);
   }
   for (const Leg leg : robot::kLegs) {
-    const Drive& drive = robot::row(leg) == 2 ? hind : front_middle;
     const double sign = robot::tripod_sign(leg);
-    for (const Tap& tap : drive.t) {
+    for (const Tap& tap : drive_of(leg).t) {
       if (tap.share != 0) {
         network.connect(tap.neuron, motor[joint_slot(leg, LegJoint::kThoracoCoxal)],
                         sign * tap.share);
       }
     }
-    network.connect(drive.c, motor[joint_slot(leg, LegJoint::kCoxaTrochanteral)], sign);
+    network.connect(drive_of(leg).c, motor[joint_slot(leg, LegJoint::kCoxaTrochanteral)], sign);
   }
 }
 
@@ -106,7 +116,9 @@ NetworkDescription describe(const NetworkConfig& config) {
   net.connect(psn2.p13, vrn2.v2, 1);
 
   const Taps delayed = add_delay_line(net, psn3.p13, config.t_delay_ticks);
-  add_motor_neurons(net, {delayed, psn4.p13}, {{{{vrn2.v7, 1}, {}}}, vrn1.v7});
+  const MotorBiasConfig& bias = config.motor_bias;
+  add_motor_neurons(net, {delayed, psn4.p13, bias.front_middle_t, bias.front_middle_c},
+                    {{{{vrn2.v7, 1}, {}}}, vrn1.v7, bias.hind_t, bias.hind_c});
   return net;
 }
 

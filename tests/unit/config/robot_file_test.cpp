@@ -54,8 +54,8 @@ TEST(RobotFile, NamesWhatIsMissing) {
 }
 
 TEST(RobotFile, NamesWhatIsWrong) {
-  EXPECT_EQ(error_of(beetle_but("kp_nm_rad: 10.0", "kp_nm_rad: .nan")),
-            "servos.leg.kp_nm_rad: '.nan' is not finite");
+  EXPECT_EQ(error_of(beetle_but("kd_nm_s_rad: 0.8", "kd_nm_s_rad: .nan")),
+            "servos.leg.kd_nm_s_rad: '.nan' is not finite");
   EXPECT_EQ(error_of(beetle_but("{length_m: 0.035", "{length_m: 35")),
             "legs.front.coxa.length_m: 35 is not in [0, 2]");
   EXPECT_EQ(error_of(beetle_but("min_rad: 0.0 ", "min_rad: 1.6 ")),

@@ -167,7 +167,7 @@ TEST(MotorPattern, SoftPushingRaisesAndStretchesTheHindLegsAndRollsWithTheTJoint
     EXPECT_LT(max_of(target(soft, leg, kF)), min_of(target(hard, leg, kF)) - 0.8) << "I3: 1, 0";
     EXPECT_EQ(max_of(target(soft, leg, kF)), max_of(target(boxing, leg, kF)));
     EXPECT_LT(swing_of(target(soft, leg, kC)), 0.1) << "small C motion";
-    EXPECT_GT(swing_of(target(soft, leg, kT)), 0.25);
+    EXPECT_GT(swing_of(target(soft, leg, kT)), 0.15) << "clipped at the forward end of its range";
   }
 }
 

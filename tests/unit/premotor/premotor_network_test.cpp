@@ -57,6 +57,38 @@ TEST(PremotorNetwork, DrivesEveryJointOfATripodWithOneSign) {
   }
 }
 
+// The tripod's sign must not turn the signal's mean into offsets that differ between left and
+// right.
+TEST(PremotorNetwork, LeavesNoMeanInTheMotorNeuronsOfWalking) {
+  constexpr double kShareOfSwing = 0.03;  // without biases 0.07
+  for (const std::array<double, 4>& inputs : {std::array<double, 4>{1, 1, 0, 0}, {0, 1, 0, 0}}) {
+    const Recording walk =
+        record(PremotorController(f2_config(), beetle()), {false, inputs, {}, 0});
+    for (std::size_t slot = 0; slot < 12; ++slot) {  // T and C
+      const Signal output = signal(walk, [=](const auto& s) { return s.motor[slot]; });
+      EXPECT_LT(std::abs(mean_of(output)), kShareOfSwing * swing_of(output))
+          << robot::kJointNames[slot];
+    }
+  }
+}
+
+TEST(PremotorNetwork, BiasesTheSecondTripodAgainstTheFirst) {
+  NetworkConfig config = f2_config().network;
+  config.motor_bias = {0.1, 0.2, 0.3, 0.4};
+  const PremotorNetwork network(config);
+  const auto bias = [&](const char* name) {
+    return network.description().neurons()[network.description().find(name)].bias;
+  };
+  EXPECT_EQ(bias("MN.TL0"), 0.1);
+  EXPECT_EQ(bias("MN.TL1"), -0.1);
+  EXPECT_EQ(bias("MN.CR0"), -0.2);
+  EXPECT_EQ(bias("MN.CR1"), 0.2);
+  EXPECT_EQ(bias("MN.TL2"), 0.3);
+  EXPECT_EQ(bias("MN.CR2"), -0.4);
+  EXPECT_EQ(bias("MN.FL0"), 0);
+  EXPECT_EQ(bias("MN.BJ"), 0);
+}
+
 class Delay : public testing::TestWithParam<double> {};
 
 // TL0 follows PSN3.P13 by the delay, CL0 follows PSN4.P13 without; the motor neuron's step is
@@ -72,8 +104,10 @@ TEST_P(Delay, HoldsBackTheTJointsByTau) {
     const auto p13 = [&](std::size_t late) { return forward.states[t - 1 - late].psn3[12]; };
     const double expected =
         fraction == 0 ? p13(whole) : (1 - fraction) * p13(whole) + fraction * p13(whole + 1);
-    ASSERT_NEAR(forward.states[t].motor[0], expected, 1e-15);
-    ASSERT_EQ(forward.states[t].motor[6], forward.states[t - 1].psn4[12]);
+    const MotorBiasConfig& bias = config.network.motor_bias;
+    ASSERT_NEAR(forward.states[t].motor[0], expected + bias.front_middle_t, 1e-15);
+    ASSERT_NEAR(forward.states[t].motor[6], forward.states[t - 1].psn4[12] + bias.front_middle_c,
+                1e-15);
   }
 }
 
@@ -112,6 +146,7 @@ TEST(PremotorNetwork, RefusesAWeightThatIsNotFinite) {
   refused([&](NetworkConfig& c) { c.psn.middle_bias = kNan; });
   refused([&](NetworkConfig& c) { c.vrn.hidden_bias = kNan; });
   refused([&](NetworkConfig& c) { c.hind_amplitude.t_i2_weight = -HUGE_VAL; });
+  refused([&](NetworkConfig& c) { c.motor_bias.hind_c = kNan; });
 }
 
 }  // namespace

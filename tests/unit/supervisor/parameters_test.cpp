@@ -6,8 +6,8 @@
 #include "services/premotor/core/premotor_network.hpp"
 #include "tests/unit/supervisor/scripted_robot.hpp"
 
-// What the two parameter files of F2 must agree on: the supervisor knows nothing of the network but
-// these numbers.
+// What the two shipped parameter files must agree on: the supervisor knows nothing of the network
+// but these numbers.
 namespace scarab::supervisor {
 namespace {
 
@@ -29,15 +29,15 @@ TEST(Parameters, AsIsAveragedOverTheCpgsPeriod) {
     turned += std::remainder(std::atan2(state.cpg[1], state.cpg[0]) - before, kTwoPi);
   }
   const double period_ticks = kTwoPi * kTicks / std::abs(turned);
-  EXPECT_NEAR(f2_config().as.window_ticks, period_ticks, 0.02);
+  EXPECT_NEAR(shipped_config().as.window_ticks, period_ticks, 0.02);
 }
 
 TEST(Parameters, AsIsComparedWithTheAngleTheFrontLegsAreToldToHold) {
-  EXPECT_EQ(f2_config().as.reference_rad, premotor_config().motor.front.f_offset_rad);
+  EXPECT_EQ(shipped_config().as.reference_rad, premotor_config().motor.front.f_offset_rad);
 }
 
 TEST(Parameters, TheTrialStartsInTheModeThatTheNetworkWasWarmedUpWith) {
-  EXPECT_EQ(f2_config().inputs.backward, premotor_config().start.warmup_inputs);
+  EXPECT_EQ(shipped_config().inputs.backward, premotor_config().start.warmup_inputs);
 }
 
 }  // namespace

@@ -4,8 +4,16 @@
 
 namespace scarab::supervisor {
 
-SupervisorConfig f2_config() {
+SupervisorConfig shipped_config() {
   return load_config(SCARAB_SOURCE_DIR "/config/supervisor/beetle.yaml");
+}
+
+SupervisorConfig f2_config() {
+  SupervisorConfig config = shipped_config();
+  config.bs = {0.2, 0.15, 6};
+  config.as = {14.43, 1.013, 0.062, 0.040, 3, 30};
+  config.backbone_rad = 0.05;
+  return config;
 }
 
 ScriptedRobot::ScriptedRobot(const std::string& strategy, const SupervisorConfig& config)

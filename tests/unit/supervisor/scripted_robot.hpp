@@ -8,6 +8,10 @@
 namespace scarab::supervisor {
 
 /// config/supervisor/beetle.yaml as it stands.
+SupervisorConfig shipped_config();
+
+/// The same with the triggers and the backbone of parameter set F2: the figures these tests
+/// calculate with, whatever a search has found since.
 SupervisorConfig f2_config();
 
 /// A machine with its state, fed tick by tick with what a robot would measure.
