@@ -66,12 +66,15 @@ void BranchSolver::gather(const SpeedMatrix& system) {
   }
 }
 
-/// root -= multiplier to_root^T: the lower triangle, two rows at a time.
+/// root -= multiplier to_root^T: the lower triangle of its first rows, two at a time.
+template <int Rows>
 void BranchSolver::reduce_root(std::size_t leg) {
   const RootLeg& multiplier = root_multiplier_[leg];
   const RootLeg& entry = to_root_[leg];
-  for (int j = 0; j < root_rows_[leg]; ++j) {
-    for (int i = j & ~1; i < root_rows_[leg]; i += 2) {
+#pragma GCC unroll 14
+  for (int j = 0; j < Rows; ++j) {
+#pragma GCC unroll 7
+    for (int i = j & ~1; i < Rows; i += 2) {
       root_.block<2, 1>(i, j) -= multiplier.block<2, 1>(i, 0) * entry(j, 0) +
                                  multiplier.block<2, 1>(i, 1) * entry(j, 1) +
                                  multiplier.block<2, 1>(i, 2) * entry(j, 2);
@@ -82,7 +85,11 @@ void BranchSolver::reduce_root(std::size_t leg) {
 void BranchSolver::eliminate(std::size_t leg) {
   inverse_[leg] = diagonal_[leg].inverse();
   root_multiplier_[leg].noalias() = to_root_[leg].lazyProduct(inverse_[leg]);
-  reduce_root(leg);
+  if (root_rows_[leg] == kRoot) {
+    reduce_root<kRoot>(leg);
+  } else {
+    reduce_root<kRootWithoutObject>(leg);
+  }
   for (std::size_t a = leg + 1; a < kLegCount; ++a) {
     if (!coupled_[leg][a]) continue;
     Matrix3d& multiplier = leg_multiplier_[leg][a];
@@ -101,11 +108,14 @@ void BranchSolver::eliminate(std::size_t leg) {
 
 /// L D L^T in the lower triangle, two rows at a time.
 void BranchSolver::factor_root() {
+#pragma GCC unroll 14
   for (int k = 0; k < kRoot; ++k) {
     const double inverse = 1 / root_(k, k);
     root_inverse_diagonal_(k) = inverse;
+#pragma GCC unroll 14
     for (int j = k + 1; j < kRoot; ++j) {
       const double multiplier = root_(j, k) * inverse;
+#pragma GCC unroll 7
       for (int i = j & ~1; i < kRoot; i += 2) {
         root_.block<2, 1>(i, j) -= multiplier * root_.block<2, 1>(i, k);
       }

@@ -39,6 +39,7 @@ class BranchSolver {
 
   void gather(const SpeedMatrix& system);
   void eliminate(std::size_t leg);
+  template <int Rows>
   void reduce_root(std::size_t leg);
   void factor_root();
   void solve_root(Root& x) const;

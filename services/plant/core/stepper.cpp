@@ -11,6 +11,10 @@ using Eigen::Vector3d;
 
 constexpr Index kObjectSpin = static_cast<Index>(kObjectSpeed);
 
+/// More than a robot that climbs over the object ever had at once; memory for more is taken when
+/// they come.
+constexpr std::size_t kContactsUsual = 64;
+
 Index joint_speed(std::size_t slot) { return static_cast<Index>(kJointSpeed + slot); }
 
 Eigen::Quaterniond turned(const Eigen::Quaterniond& orientation, const Vector3d& turn) {
@@ -42,7 +46,12 @@ Stepper::Stepper(const Morphology& morphology, const PlantConfig& config, const 
       inertial_force_(morphology),
       simbody_check_(morphology),
       collision_(morphology, wall, config.contact.trunk_edge_radius_m),
-      contact_law_(config.contact, config.friction) {}
+      contact_law_(config.contact, config.friction) {
+  found_.reserve(kContactsUsual);
+  jacobians_.reserve(kContactsUsual);
+  laws_.reserve(kContactsUsual);
+  resolved_.reserve(kContactsUsual);
+}
 
 void Stepper::add_joints(const robot::JointVector& targets_rad, double dt_s,
                          robot::JointVector& reference_rad, const MotionState& state) {

@@ -55,7 +55,7 @@ class Stepper {
   void resolve();
   void lock_absent_joints();
 
-  static constexpr std::uint64_t kStepsPerCheck = 100;
+  static constexpr std::uint64_t kStepsPerCheck = 500;
 
   Morphology morphology_;
   PlantConfig config_;
