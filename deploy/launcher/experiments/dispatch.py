@@ -24,8 +24,10 @@ class Dispatch:
     """Runs the trials on the seats; each result goes to the journal, and then to `listen`."""
 
     def __init__(self, seats: Sequence[Seat], trials: Sequence[PlannedTrial], journal: Journal,
-                 listen: Callable[[Optional[Result]], None], signals: Signals):
-        """`listen` hears None when nothing has happened for a while."""
+                 listen: Callable[[Optional[Result]], None], signals: Signals,
+                 clock: Callable[[], float] = time.monotonic):
+        """`listen` hears None now and then, too."""
+        self._clock = clock
         self._seats = seats
         self._waiting: Deque[PlannedTrial] = deque(trials)
         self._journal = journal
@@ -60,7 +62,7 @@ class Dispatch:
             if seat.name not in self._running and self._waiting:
                 trial = self._waiting.popleft()
                 self._running[seat.name] = trial
-                self._given_at[seat.name] = time.monotonic()
+                self._given_at[seat.name] = self._clock()
                 seat.give(trial)
         except Fault as fault:
             self._try_again(seat, str(fault))
@@ -88,7 +90,7 @@ class Dispatch:
         if trial is None:
             return
         patience_s = _PATIENCE_S + _PATIENCE_S_PER_S * trial.time_limit_s
-        if time.monotonic() - self._given_at[seat.name] > patience_s:
+        if self._clock() - self._given_at[seat.name] > patience_s:
             raise Fault(f"there is no answer after {patience_s:.0f} s")
 
     def _try_again(self, seat: Seat, reason: str) -> None:

@@ -1,15 +1,16 @@
 """How far an experiment is: one line of a terminal, or a line of a file now and then."""
 
-import shutil
+import os
 import time
 from typing import Callable, Optional, Sequence, TextIO
 
 from .estimate import Estimate, duration
 from .results import Result
 
-_BAR = 24
+_BAR, _SHORTEST_BAR = 24, 4
 _TERMINAL_EVERY_S = 0.2
 _FILE_EVERY_S = 10.0
+_COLUMNS = 80  # of a terminal that does not know
 
 
 class Progress:
@@ -45,10 +46,15 @@ class Progress:
         if self._terminal:
             print(file=self._stream, flush=True)
 
-    def text(self) -> str:
-        filled = _BAR * self.done // self.total if self.total else _BAR
-        parts = [f"{self._name} [{'=' * filled:{_BAR}}] {self.done}/{self.total}",
-                 f"{self._successes} succeeded"]
+    def text(self, width: int = 1000) -> str:
+        """The bar is shorter where the whole would be wider than that."""
+        words = self._words()
+        bar = max(_SHORTEST_BAR, min(_BAR, width - len(f"{self._name} [] {words}")))
+        filled = bar * self.done // self.total
+        return f"{self._name} [{'=' * filled:{bar}}] {words}"[:width]
+
+    def _words(self) -> str:
+        parts = [f"{self.done}/{self.total}", f"{self._successes} succeeded"]
         if self._estimate.speed is not None:
             parts.append(f"{self._estimate.speed:.0f} x real time")
         left_s = self._estimate.left_s()
@@ -59,7 +65,13 @@ class Progress:
     def _write(self) -> None:
         self._shown_at = self._clock()
         if self._terminal:
-            width = shutil.get_terminal_size().columns - 1
-            print(f"\r\033[K{self.text()[:width]}", end="", file=self._stream, flush=True)
+            print(f"\r\033[K{self.text(_columns(self._stream) - 1)}", end="", file=self._stream, flush=True)
         else:
             print(self.text(), file=self._stream, flush=True)
+
+
+def _columns(terminal: TextIO) -> int:
+    try:
+        return os.get_terminal_size(terminal.fileno()).columns or _COLUMNS
+    except OSError:
+        return _COLUMNS

@@ -201,6 +201,8 @@ class Shown(Clock):
         self.now += 10
         self.estimate.add(self.result(0, time_s=50))
         progress.add(self.result(0, time_s=50))
+        self.assertRegex(progress.text(60), r"^tiny \[ {9}\] 1/12, 1 succeeded, 5 x real time, 1:50 left$")
+        self.assertEqual(len(progress.text(30)), 30)
         self.assertEqual(progress.text(), f"tiny [{'=' * 2}{' ' * 22}] 1/12, 1 succeeded, 5 x real time, 1:50 left")
 
 
