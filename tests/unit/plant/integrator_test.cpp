@@ -1,6 +1,8 @@
 // The linearly implicit stepper against a plain Simbody integrator on the same forces.
 #include <gtest/gtest.h>
 
+#include <algorithm>
+
 #include "services/plant/core/contact_jacobian.hpp"
 #include "services/plant/core/simbody_model.hpp"
 #include "tests/unit/plant/rig.hpp"
@@ -82,6 +84,16 @@ class PlantForce : public SimTK::Force::Custom::Implementation {
   mutable ContactLaw law_;
 };
 
+double rearmost_foot(const Rig& rig) {
+  const Kinematics kinematics = testing::kinematics_of(rig.morphology, rig.state);
+  double x = rig.state.trunk_position.x();
+  for (const robot::Leg leg : robot::kLegs) {
+    const std::size_t tibia = leg_body(leg, LegSegment::kTibia);
+    x = std::min(x, kinematics.body[tibia].to_world(rig.morphology.segment[tibia].tip).x());
+  }
+  return x;
+}
+
 /// A crouch that also kicks the object, which stands right behind the robot.
 Rig make_rig() {
   robot::RobotModel robot = testing::beetle();
@@ -89,9 +101,8 @@ Rig make_rig() {
     joint.armature_kg_m2 = 0;  // Simbody's pins have none
     joint.velocity_max_rad_s = 1e9;
   }
-  PlantConfig config = testing::default_config();
-  config.object.start_distance_m = 0.34;
-  Rig rig(robot, config);
+  Rig rig(robot, testing::default_config());
+  rig.state.object_position.x() = rearmost_foot(rig) - rig.morphology.object_radius_m - 0.03;
   for (const robot::Leg leg : robot::kLegs) {
     rig.targets[joint_slot(leg, robot::LegJoint::kThoracoCoxal)] -=
         robot::row(leg) == 2 ? 1.0 : 0.3;
