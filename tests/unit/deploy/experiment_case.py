@@ -23,6 +23,8 @@ TRIALS = 12
 class ExperimentTest(FakeStackTest):
     """Its stack has files for the services, as an experiment needs them."""
 
+    whole = None
+
     def setUp(self):
         super().setUp()
         file = self.folder / "any.yaml"
@@ -56,11 +58,15 @@ class ExperimentTest(FakeStackTest):
         return [json.loads(line)["index"] for line in lines]
 
     def uninterrupted(self):
-        """What the table has to be."""
-        out = self.folder / "uninterrupted"
-        code, _, err = self.scarab("experiment", str(self.file), "--no-report", "--out", str(out))
-        self.assertEqual(code, 0, err)
-        return self.results(out)
+        """What the table has to be: of a run that nothing disturbs, the same in every test."""
+        if ExperimentTest.whole is None:
+            out = self.folder / "uninterrupted"
+            code, _, err = self.scarab("experiment", str(self.file), "--no-report", "--out", str(out))
+            self.assertEqual(code, 0, err)
+            ExperimentTest.whole = self.results(out)
+            for file in ("trials", "journal"):
+                (self.bin / file).unlink()
+        return ExperimentTest.whole
 
     def wait_for_results(self, count):
         wait_until(lambda: len(self.journal_indices()) >= count, f"{count} trials have been run")
