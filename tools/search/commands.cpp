@@ -80,7 +80,7 @@ int run_evaluate(const EvaluateOptions& chosen) {
   options.interrupted = &watch_for_interruption();
   const auto measures = evaluate(problem.description(), {configuration}, plan, options);
   if (measures.empty()) return runtime::kExitInterrupted;
-  const std::uint64_t last = std::min(range.last, range.first + (chosen.seeds - 1));
+  const std::uint64_t last = range.first + std::min(range.last - range.first, chosen.seeds - 1);
   const std::string title = std::string(chosen.held_out ? "held-out" : "validation") + " seeds " +
                             std::to_string(range.first) + ".." + std::to_string(last) + "\n";
   const std::string table = title + score_table(score(problem.description(), plan, measures[0]));

@@ -127,6 +127,12 @@ TEST_F(SearchProgram, WritesAWinnerThatTheServicesRead) {
   EXPECT_EQ(check.exit_code, 0) << check.err;
 }
 
+TEST_F(SearchProgram, EvaluatesTheBaseOnAllSeedsOfARangeUnlessToldOtherwise) {
+  const Finished evaluated = run({program("scarab-search"), "evaluate", file()});
+  EXPECT_EQ(evaluated.exit_code, 0) << evaluated.err;
+  EXPECT_THAT(evaluated.out, testing::StartsWith("validation seeds 900001..900001\n"));
+}
+
 /// What is found is what is run later: the same trial, to the tick.
 TEST_F(SearchProgram, EvaluatesTrialsAsTheSimulationRunsThem) {
   const Finished evaluated = run(
