@@ -11,7 +11,10 @@ _BEHAVIOUR = ("state", "mode", "bs_rad", "bs_threshold_rad", "as_rad", "as_thres
 
 
 def behaviour_signals(experiment: Experiment) -> Tuple[Conditions, SignalTable]:
-    """Of the first trial that has a log, a successful one before others. ReportError where none has."""
+    """Of the first trial that has a log, one that went through all behaviours and succeeded before others.
+
+    ReportError where none has.
+    """
     trial = _shown_trial(experiment)
     behaviour = experiment.logs.samples(trial, "behaviour", _BEHAVIOUR)
     positions = tuple(f"position_rad[{slot}]" for slot in JOINT_SLOTS.values())
@@ -20,7 +23,8 @@ def behaviour_signals(experiment: Experiment) -> Tuple[Conditions, SignalTable]:
 
 
 def _shown_trial(experiment: Experiment) -> Conditions:
-    run = sorted(experiment.trials, key=lambda trial: (not trial.success, trial.asked.index))
+    run = sorted(experiment.trials, key=lambda trial: (not trial.success, None in trial.behaviours_s,
+                                                       trial.asked.index))
     for trial in run:
         if experiment.logs.has(trial.asked):
             return trial.asked

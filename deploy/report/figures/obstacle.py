@@ -34,8 +34,9 @@ def draw(experiment: Experiment, prefix: Path) -> List[Path]:
             _dress(success, time, base, "abcdef"[2 * row:2 * row + 2])
         _label_heights(axes, heights)
         axes[0][1].set_ylim(0, axes[0][1].get_ylim()[1])  # once all are drawn: they share it
-        sign(figure, experiment.plan.trials, f"{max(cell.n for cell in experiment.cells)} trials a bar, with Wilson's 95 % "
-             "interval; times: mean and standard deviation, a dash a trial")
+        count = max(cell.n for cell in experiment.cells)
+        sign(figure, experiment.plan.trials, f"{count} trials a bar, with Wilson's 95 % interval; times: mean and "
+             "standard deviation, a dash a trial")
         return save(figure, prefix)
 
 

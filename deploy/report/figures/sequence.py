@@ -80,7 +80,7 @@ def draw_signals(table: SignalTable, prefix: Path, note: str = "") -> List[Path]
         axes[-1].set_xlabel("simulated time [s]")
         axes[-1].set_xlim(table.time_s[0], max(table.time_s[-1], table.time_s[0] + 0.1))
         figure.align_ylabels(axes)
-        figure.subplots_adjust(left=0.11, right=0.98, top=0.93, bottom=0.06)
+        figure.subplots_adjust(left=0.11, right=0.98, top=0.93, bottom=0.07)
         if note:
             figure.text(0.01, 0.005, note, fontsize=6.5, color=_EDGE)
         return save(figure, prefix)

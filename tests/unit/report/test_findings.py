@@ -3,7 +3,9 @@
 import math
 import unittest
 
+from every_kind import BEHAVIOURS
 from made_up import LOST, TOO_SLOW, outcome, planned
+from made_up_log import transport, write_log
 from scratch_directory import ScratchDirectory
 
 FLAT = ("soft", "hard", "boxing", "stationary")
@@ -137,6 +139,29 @@ class Sequence(ScratchDirectory):
         for changes in ({"mode2_s": None}, {"mode2_s": 2.6}, {"climb_s": 3.0}, {"mode2_s": 13.0}):
             with self.subTest(changes=changes):
                 self.assertEqual(self.run_with(**changes)["behaviours_in_order"], "does not agree")
+
+    def with_log(self, behaviours, change=lambda table: None, **changes):
+        trials = planned([{"strategy": "soft+hard", "height_m": 0.05}], 1)
+        experiment = self.experiment("sequence", trials, lambda asked: outcome(**changes))
+        topics = transport(behaviours)
+        change(topics["behaviour"])
+        write_log(self.room / "sequence" / "trial.mcap", trials[0], topics)
+        return {finding.name: finding for finding in self.judged(experiment)}
+
+    def test_triggers_are_read_where_the_behaviours_begin(self):
+        self.assertEqual(self.with_log(BEHAVIOURS)["triggers"].word, "agrees")
+
+        def too_early(table):
+            table["as_rad"] = [1.0] * len(table["as_rad"])
+
+        self.assertEqual(self.with_log(BEHAVIOURS, too_early)["triggers"].word, "partly")
+
+    def test_a_switch_that_never_comes_is_said_with_its_margin(self):
+        found = self.with_log(BEHAVIOURS[:3] + BEHAVIOURS[4:], mode2_s=None)
+        self.assertIn("mode 2 was never entered: AS came to 1.000 rad, the threshold is 0.950 rad",
+                      found["triggers"].numbers)
+        self.assertEqual(found["behaviours_in_order"].reason,
+                         "1 of 1 trials never enter mode 2; 1 of them succeed before")
 
     def test_without_a_log_the_triggers_are_not_measured(self):
         self.assertEqual(self.run_with()["triggers"], "not measured")
