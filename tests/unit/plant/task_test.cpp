@@ -21,8 +21,9 @@ TrialSpec trial(double obstacle_height_m, std::uint64_t seed) {
   out.goal_distance_m = 1.46;
   out.obstacle_height_m = obstacle_height_m;
   out.seed = seed;
-  out.perturb_position_m = 0.01;
-  out.perturb_yaw_rad = 0.035;
+  out.perturb_position_m = 0.02;
+  out.perturb_yaw_rad = 0.0524;
+  out.perturb_friction = 0.10;
   return out;
 }
 
