@@ -46,23 +46,23 @@ ForwardKinematics::ForwardKinematics(const Morphology& morphology) {
 
 void ForwardKinematics::hang(const Hinge& hinge, double angle_rad, double speed_rad_s,
                              const BodyMotion& parent, BodyMotion& child, JointAxis& joint) {
-  Matrix3d& R = child.R_world_body;
+  Matrix3d& R_world_child = child.R_world_body;
   if (hinge.straight) {
-    R = parent.R_world_body;
+    R_world_child = parent.R_world_body;
   } else {
-    R.noalias() = parent.R_world_body.lazyProduct(hinge.R_parent_child);
+    R_world_child.noalias() = parent.R_world_body.lazyProduct(hinge.R_parent_child);
   }
   const double cosine = std::cos(angle_rad);
   const double sine = hinge.sign * std::sin(angle_rad);
   const int first = (hinge.axis + 1) % 3;
   const int second = (hinge.axis + 2) % 3;
-  const Vector3d before = R.col(first);
-  R.col(first) = cosine * before + sine * R.col(second);
-  R.col(second) = cosine * R.col(second) - sine * before;
+  const Vector3d before = R_world_child.col(first);
+  R_world_child.col(first) = cosine * before + sine * R_world_child.col(second);
+  R_world_child.col(second) = cosine * R_world_child.col(second) - sine * before;
 
   const Vector3d arm = parent.R_world_body * hinge.position_in_parent;
   child.position = parent.position + arm;
-  joint.direction = hinge.sign * R.col(hinge.axis);
+  joint.direction = hinge.sign * R_world_child.col(hinge.axis);
   joint.anchor = child.position;
   child.angular_velocity = parent.angular_velocity + speed_rad_s * joint.direction;
   child.velocity = parent.velocity + parent.angular_velocity.cross(arm);

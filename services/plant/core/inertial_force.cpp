@@ -36,17 +36,17 @@ Acceleration outwards(const Acceleration& parent, const BodyMotion& from, const 
 /// What moves the body so: Newton and Euler.
 Wrench wrench(const BodyMass& mass, const BodyMotion& body, const Acceleration& acceleration,
               const Vector3d& origin) {
-  const Matrix3d& R = body.R_world_body;
-  const Vector3d centre = R * mass.centre_m;
+  const Matrix3d& R_world_body = body.R_world_body;
+  const Vector3d centre = R_world_body * mass.centre_m;
   const Vector3d& spin = body.angular_velocity;
   Wrench out;
   out.force = mass.mass_kg * (acceleration.linear + acceleration.angular.cross(centre) +
                               spin.cross(spin.cross(centre)));
-  const Vector3d spin_body = R.transpose() * spin;
-  const Vector3d turn_body = R.transpose() * acceleration.angular;
+  const Vector3d spin_body = R_world_body.transpose() * spin;
+  const Vector3d turn_body = R_world_body.transpose() * acceleration.angular;
   const Vector3d moment_body =
       mass.inertia_kg_m2 * turn_body + spin_body.cross(mass.inertia_kg_m2 * spin_body);
-  out.moment = R * moment_body + (body.position + centre - origin).cross(out.force);
+  out.moment = R_world_body * moment_body + (body.position + centre - origin).cross(out.force);
   return out;
 }
 
