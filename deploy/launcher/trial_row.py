@@ -62,15 +62,16 @@ def note_other_configuration(options: argparse.Namespace, stack: Stack, places: 
     if options.row is None:
         return
     then: Optional[str] = read_row(options.row).get("configuration")
-    now = resolve_configuration(places, stack).digest()
-    if not then or then == now:
+    now = resolve_configuration(places, stack)
+    if not then or then == now.digest():
         return
     folder = Path(options.row.rpartition(":")[0]).parent / "config"
-    files = [f"--config {name}={shown(folder / name)}.yaml" for name in SIMULATED
-             if (folder / f"{name}.yaml").is_file()]
-    hint = f"; its own: {' '.join(files)}" if files else ""
-    print(f"scarab: the row was run with configuration {then}, this is {now}: it may end otherwise{hint}",
-          file=sys.stderr, flush=True)
+    others = now.files_that_differ(folder) if folder.is_dir() else []
+    where = f" ({', '.join(others)})" if others else ""
+    files = [f"--config {name}={shown(folder / name)}.yaml" for name in SIMULATED if f"{name}.yaml" in others]
+    hint = f"; then it was {' '.join(files)}" if files else ""
+    print(f"scarab: the row was run with configuration {then}, this is {now.digest()}{where}: it may end "
+          f"otherwise{hint}", file=sys.stderr, flush=True)
 
 
 def _value(place: str, row: Dict[str, str], column: str) -> object:

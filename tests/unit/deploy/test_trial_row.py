@@ -50,8 +50,8 @@ class Rows(ExperimentTest):
         self.order("scarab-plant", "configuration", "mass: 3\n")
         code, err = self.sim(f"{self.table}:5")
         self.assertEqual(code, 0)
-        self.assertRegex(err, r"was run with configuration [0-9a-f]{8}, this is [0-9a-f]{8}: it may end "
-                              r"otherwise; its own: --config plant=\S*/config/plant\.yaml --config premotor=")
+        self.assertRegex(err, r"was run with configuration [0-9a-f]{8}, this is [0-9a-f]{8} \(plant\.yaml\): it "
+                              r"may end otherwise; then it was --config plant=\S*/config/plant\.yaml$")
 
     def test_what_is_no_row_is_one_line_and_nothing_is_started(self):
         text = self.table.read_text()
