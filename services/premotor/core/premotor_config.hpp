@@ -43,9 +43,9 @@ struct HindAmplitudeConfig {
 };
 
 /// Biases of the T- and C-motor neurons of the tripod {L0, R1, L2}; those of {R0, L1, R2} have the
-/// other sign, as their synapses do. They take the mean out of the signal, which the tripod's sign
-/// would turn into offsets that differ between left and right: the robot would walk in a circle
-/// [R].
+/// other sign, as their synapses do. The signals have a mean (of PSN3 and PSN4 0.034: the published
+/// output bias), which the tripod's sign turns into offsets that differ between left and right, and
+/// the robot walks in a circle; the biases balance that [R].
 struct MotorBiasConfig {
   double front_middle_t = 0;
   double front_middle_c = 0;

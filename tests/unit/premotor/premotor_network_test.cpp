@@ -57,21 +57,6 @@ TEST(PremotorNetwork, DrivesEveryJointOfATripodWithOneSign) {
   }
 }
 
-// The tripod's sign must not turn the signal's mean into offsets that differ between left and
-// right.
-TEST(PremotorNetwork, LeavesNoMeanInTheMotorNeuronsOfWalking) {
-  constexpr double kShareOfSwing = 0.03;  // without biases 0.07
-  for (const std::array<double, 4>& inputs : {std::array<double, 4>{1, 1, 0, 0}, {0, 1, 0, 0}}) {
-    const Recording walk =
-        record(PremotorController(f2_config(), beetle()), {false, inputs, {}, 0});
-    for (std::size_t slot = 0; slot < 12; ++slot) {  // T and C
-      const Signal output = signal(walk, [=](const auto& s) { return s.motor[slot]; });
-      EXPECT_LT(std::abs(mean_of(output)), kShareOfSwing * swing_of(output))
-          << robot::kJointNames[slot];
-    }
-  }
-}
-
 TEST(PremotorNetwork, BiasesTheSecondTripodAgainstTheFirst) {
   NetworkConfig config = f2_config().network;
   config.motor_bias = {0.1, 0.2, 0.3, 0.4};
