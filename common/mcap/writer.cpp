@@ -16,6 +16,10 @@ std::filesystem::path checked_free(std::filesystem::path path, bool overwrite) {
   if (!overwrite && std::filesystem::exists(path)) {
     throw FileError("cannot create " + path.string() + ": it exists");
   }
+  // A finished file takes the place of what has its name, and nobody wants to lose /dev/null.
+  if (std::filesystem::exists(path) && !std::filesystem::is_regular_file(path)) {
+    throw FileError("cannot create " + path.string() + ": it is no regular file");
+  }
   return path;
 }
 

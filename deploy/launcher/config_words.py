@@ -1,4 +1,4 @@
-"""`scarab config` for the files that the launcher itself reads: stack.yaml and the experiments."""
+"""`scarab config` for the files that scarab-config does not know: stack.yaml, experiments and searches."""
 
 import subprocess
 import sys
@@ -11,6 +11,7 @@ from .failure import EXIT_OK, ConfigError
 from .places import Places
 from .stack_declaration import stack_schema
 
+_SEARCH = "search"  # the folder of the files that scarab-search reads
 _SCHEMAS = {"stack": stack_schema, "experiment": experiment_schema}
 
 
@@ -19,21 +20,29 @@ def answer_config(words: List[str], places: Places) -> Optional[int]:
     if words[:1] == ["schema"] and len(words) == 2 and words[1] in _SCHEMAS:
         print(_SCHEMAS[words[1]](), end="")
         return EXIT_OK
-    ours = [word for word in words[1:] if _is_experiment(word)] if words[:1] == ["check"] else []
-    if not ours:
+    if words[:1] != ["check"]:
         return None
-    code = max(_check(Path(word)) for word in ours)
-    others = [word for word in words if word not in ours]
+    experiments = [word for word in words[1:] if _is_of(FOLDER.name, word)]
+    searches = [word for word in words[1:] if _is_of(_SEARCH, word)]
+    if not experiments + searches:
+        return None
+    codes = [_check(Path(word)) for word in experiments]
+    sys.stdout.flush()
+    if searches:
+        codes.append(_run(places, "scarab-search", ["check", *searches]))
+    others = [word for word in words if word not in experiments + searches]
     if any(not word.startswith("-") for word in others[1:]):
-        sys.stdout.flush()
-        command = [str(places.program("scarab-config")), *others]
-        code = max(code, subprocess.run(command, check=False).returncode)
-    return code
+        codes.append(_run(places, "scarab-config", others))
+    return max(codes)
 
 
-def _is_experiment(word: str) -> bool:
+def _is_of(folder: str, word: str) -> bool:
     """By its folder, as scarab-config knows the kinds of its files."""
-    return not word.startswith("-") and Path(word).resolve().parent.name == FOLDER.name
+    return not word.startswith("-") and Path(word).resolve().parent.name == folder
+
+
+def _run(places: Places, program: str, words: List[str]) -> int:
+    return subprocess.run([str(places.program(program)), *words], check=False).returncode
 
 
 def _check(file: Path) -> int:

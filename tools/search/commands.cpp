@@ -6,6 +6,7 @@
 #include <memory>
 #include <string>
 #include <thread>
+#include <vector>
 
 #include "common/runtime/program.hpp"
 #include "tools/search/interruption.hpp"
@@ -169,6 +170,22 @@ void add_write(CLI::App& app, Command& chosen) {
       ->type_name("DIR");
   command->callback([&chosen, folder, to] {
     chosen = [folder, to] { return reporting([&] { return run_write(*folder, *to); }); };
+  });
+}
+
+void add_check(CLI::App& app, Command& chosen) {
+  CLI::App* command = app.add_subcommand("check", "read files of config/search, with their base");
+  command->footer("Example: scarab-search check config/search/*.yaml");
+  const auto files = std::make_shared<std::vector<std::string>>();
+  command->add_option("file", *files, "descriptions (YAML)")->required()->type_name("FILE");
+  command->callback([&chosen, files] {
+    chosen = [files] {
+      for (const std::string& file : *files) {
+        (void)Problem(file);
+        std::cout << file << ": ok\n";
+      }
+      return runtime::kExitSuccess;
+    };
   });
 }
 

@@ -16,6 +16,7 @@ using Command = std::function<int()>;
 void add_run(CLI::App& app, Command& chosen);
 void add_evaluate(CLI::App& app, Command& chosen);
 void add_write(CLI::App& app, Command& chosen);
+void add_check(CLI::App& app, Command& chosen);
 void add_schema(CLI::App& app, Command& chosen);
 
 }  // namespace scarab::search

@@ -20,6 +20,7 @@ int main(int argc, char** argv) {
   search::add_run(app, command);
   search::add_evaluate(app, command);
   search::add_write(app, command);
+  search::add_check(app, command);
   search::add_schema(app, command);
   return runtime::run_program(app, argc, argv, [&] { return command(); });
 }

@@ -175,6 +175,18 @@ TEST_F(SearchProgram, SaysWhereADescriptionIsWrong) {
   EXPECT_THAT(finished.err, HasSubstr("search.yaml:9:"));
   EXPECT_THAT(finished.err, HasSubstr("parameters.premotor.motor.tail.t_gain_rad: no number"));
   EXPECT_FALSE(std::filesystem::exists(out("a"))) << "nothing was begun";
+  const Finished checked = run({program("scarab-search"), "check", file()});
+  EXPECT_EQ(checked.exit_code, kBadUsage);
+  EXPECT_EQ(checked.err, finished.err);
+}
+
+TEST_F(SearchProgram, ReadsTheShippedDescriptions) {
+  for (const char* name : {"beetle", "beetle-heading", "example"}) {
+    const std::string shipped = source_file(std::string("config/search/") + name + ".yaml");
+    const Finished checked = run({program("scarab-search"), "check", shipped});
+    EXPECT_EQ(checked.exit_code, 0) << checked.err;
+    EXPECT_EQ(checked.out, shipped + ": ok\n");
+  }
 }
 
 }  // namespace

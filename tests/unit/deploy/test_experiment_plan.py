@@ -191,6 +191,12 @@ class Checked(unittest.TestCase):
         self.assertEqual((done.returncode, done.stderr), (0, ""))
         self.assertEqual(done.stdout.splitlines(), [f"{file}: ok" for file in files])
 
+    def test_every_file_of_config_by_the_program_that_reads_it(self):
+        files = sorted((SOURCE_ROOT / "config").glob("*/*.yaml"))
+        done = self.check(*files)
+        self.assertEqual((done.returncode, done.stderr), (0, ""))
+        self.assertEqual(sorted(done.stdout.splitlines()), sorted(f"{file}: ok" for file in files))
+
     def test_mistake_is_one_line_with_its_place(self):
         with tempfile.TemporaryDirectory() as folder:
             file = Path(folder) / "experiments" / "tiny.yaml"

@@ -67,6 +67,17 @@ TEST(Writer, OverwritesNothingUnlessAsked) {
   EXPECT_EQ(read_messages(Reader(folder / "x.mcap")).size(), 3U);
 }
 
+TEST(Writer, TakesThePlaceOfRegularFilesOnly) {
+  TemporaryFolder folder;
+  std::filesystem::create_directory(folder / "x.mcap");
+  WriterOptions overwrite;
+  overwrite.overwrite = true;
+  EXPECT_THROW(Writer(folder / "x.mcap", overwrite), FileError);
+  std::filesystem::create_symlink("/dev/null", folder / "y.mcap");
+  EXPECT_THROW(Writer(folder / "y.mcap", overwrite), FileError);
+  EXPECT_FALSE(std::filesystem::exists(folder / "y.mcap.active")) << "nothing was begun";
+}
+
 TEST(Writer, NamesTheFileItCannotCreate) {
   try {
     Writer writer("/nowhere/x.mcap");
