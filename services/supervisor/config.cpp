@@ -30,7 +30,6 @@ void visit_fields(Fields& f, FrontAngleConfig& c) {
   f("window_ticks", c.window_ticks, config::Range{1, static_cast<double>(kMaxWindowTicks)});
   f("reference_rad", c.reference_rad);
   f("drop_rad", c.drop_rad, config::kNonNegative);
-  f("stationary_drop_rad", c.stationary_drop_rad, config::kNonNegative);
   f("confirm_ticks", c.confirm_ticks, kCount);
   f("arm_ticks", c.arm_ticks, config::Range{0, kTicksMost});
 }

@@ -5,7 +5,6 @@
 #include <cstdio>
 #include <stdexcept>
 #include <utility>
-#include <vector>
 
 namespace scarab::supervisor {
 namespace {
@@ -26,7 +25,6 @@ void check(const SupervisorConfig& config, const Strategy& strategy) {
           "as.window_ticks is not in 1..64");
   require(std::isfinite(as.reference_rad), "as.reference_rad is not finite");
   require(std::isfinite(as.drop_rad), "as.drop_rad is not finite");
-  require(std::isfinite(as.stationary_drop_rad), "as.stationary_drop_rad is not finite");
   require(as.confirm_ticks >= 1, "as.confirm_ticks is not at least 1");
   require(std::isfinite(config.backbone_rad), "backbone_rad is not finite");
   require(strategy.push.size() <= 2, "a strategy has more than two pushing modes");
@@ -125,7 +123,7 @@ Decision BehaviourMachine::step(MachineState& state, const Perception& perceptio
   decision.bs_rad = state.bs.value;
   decision.bs_threshold_rad = config_.bs.threshold_rad;
   decision.as_rad = as_rad;
-  decision.as_threshold_rad = as_threshold_rad(state);
+  decision.as_threshold_rad = as_threshold_rad();
   return decision;
 }
 
@@ -202,11 +200,10 @@ void BehaviourMachine::watch_for_obstacle(MachineState& state, std::uint32_t tic
   if (strategy_of(state).push.size() < 2 || !armed) {
     return;
   }
-  const double threshold_rad = as_threshold_rad(state);
-  state.as_below = as_rad < threshold_rad ? state.as_below + 1 : 0;
+  state.as_below = as_rad < as_threshold_rad() ? state.as_below + 1 : 0;
   if (state.as_below >= config_.as.confirm_ticks) {
     enter(state, State::kMode2, tick,
-          "AS " + figure(as_rad) + " < " + figure(threshold_rad) + " rad for " +
+          "AS " + figure(as_rad) + " < " + figure(as_threshold_rad()) + " rad for " +
               figure_ticks(state.as_below));
   }
 }
@@ -236,11 +233,8 @@ Mode BehaviourMachine::mode_of(const MachineState& state) const {
   throw std::invalid_argument("no such state");
 }
 
-double BehaviourMachine::as_threshold_rad(const MachineState& state) const {
-  const std::vector<Mode>& push = strategy_of(state).push;
-  const bool stationary = !push.empty() && push.front() == Mode::kStationary;
-  return config_.as.reference_rad -
-         (stationary ? config_.as.stationary_drop_rad : config_.as.drop_rad);
+double BehaviourMachine::as_threshold_rad() const {
+  return config_.as.reference_rad - config_.as.drop_rad;
 }
 
 }  // namespace scarab::supervisor

@@ -80,7 +80,7 @@ class BehaviourMachine {
   void watch_for_obstacle(MachineState& state, std::uint32_t tick, double as_rad) const;
   [[nodiscard]] const Strategy& strategy_of(const MachineState& state) const;
   [[nodiscard]] Mode mode_of(const MachineState& state) const;
-  [[nodiscard]] double as_threshold_rad(const MachineState& state) const;
+  [[nodiscard]] double as_threshold_rad() const;
 
   SupervisorConfig config_;
   Strategy strategy_;  // of the trial

@@ -29,12 +29,9 @@ struct InclinationConfig {
 
 /// AS, the front legs' F-joint angle, averaged over one period of the CPG.
 struct FrontAngleConfig {
-  double window_ticks = 0;   ///< the CPG's period, need not be whole; 1..kMaxWindowTicks
-  double reference_rad = 0;  ///< F0, the angle that the front F-joints are told to hold
-  double drop_rad = 0;       ///< below reference_rad - drop_rad: the object is blocked
-  /// The same in stationary mode: hind legs that lie still on the object carry another share of the
-  /// robot's weight, and so load the front legs otherwise [R].
-  double stationary_drop_rad = 0;
+  double window_ticks = 0;     ///< the CPG's period, need not be whole; 1..kMaxWindowTicks
+  double reference_rad = 0;    ///< F0, the angle that the front F-joints are told to hold
+  double drop_rad = 0;         ///< below reference_rad - drop_rad: the object is blocked
   unsigned confirm_ticks = 0;  ///< consecutive ticks below before mode 2, >= 1
   unsigned arm_ticks = 0;      ///< not before so many ticks of mode 1
 };

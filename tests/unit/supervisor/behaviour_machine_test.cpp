@@ -112,20 +112,6 @@ TEST(BehaviourMachine, SwitchesToMode2WhenAsFalls) {
   EXPECT_THAT(reason(decision), testing::MatchesRegex("AS 0\\.9[0-9]+ < 0\\.951 rad for 3 ticks"));
 }
 
-TEST(BehaviourMachine, JudgesStationaryModeByAThresholdOfItsOwn) {
-  const SupervisorConfig config = f2_config();
-  const double between_rad =
-      config.as.reference_rad - (config.as.drop_rad + config.as.stationary_drop_rad) / 2;
-  ScriptedRobot soft = on_the_object("soft+hard");
-  soft.front_f_rad = between_rad;
-  EXPECT_EQ(soft.ticks(200).state, State::kMode1);
-  ScriptedRobot stationary = on_the_object("stationary+hard");
-  stationary.front_f_rad = between_rad;
-  const Decision decision = stationary.ticks(200);
-  EXPECT_EQ(decision.state, State::kMode2);
-  EXPECT_EQ(decision.as_threshold_rad, config.as.reference_rad - config.as.stationary_drop_rad);
-}
-
 TEST(BehaviourMachine, NeedsConsecutiveTicksBelow) {
   SupervisorConfig config = f2_config();
   config.as.window_ticks = 1;  // AS follows the joint at once
@@ -252,7 +238,6 @@ TEST(BehaviourMachine, RefusesParametersOutOfRange) {
   refused([](SupervisorConfig& c) { c.as.window_ticks = 0.5; });
   refused([](SupervisorConfig& c) { c.as.window_ticks = 64.5; });
   refused([](SupervisorConfig& c) { c.as.drop_rad = kNan; });
-  refused([](SupervisorConfig& c) { c.as.stationary_drop_rad = kNan; });
   refused([](SupervisorConfig& c) { c.as.confirm_ticks = 0; });
   refused([](SupervisorConfig& c) { c.backbone_rad = kNan; });
   refused([](SupervisorConfig& c) { c.strategies["soft"].push.resize(3); });

@@ -11,7 +11,7 @@ SupervisorConfig shipped_config() {
 SupervisorConfig f2_config() {
   SupervisorConfig config = shipped_config();
   config.bs = {0.2, 0.15, 6};
-  config.as = {14.43, 1.013, 0.062, 0.040, 3, 30};
+  config.as = {14.43, 1.013, 0.062, 3, 30};
   config.backbone_rad = 0.05;
   return config;
 }
