@@ -5,7 +5,6 @@ import re
 from pathlib import Path
 from typing import List
 
-from .experiment_run import merge_shards, run_plans
 from .experiments.dry_run import plan_text
 from .experiments.experiment_file import (EXPERIMENT_WORDS, Experiment, find_experiment,
                                           known_experiments, read_experiment)
@@ -68,6 +67,8 @@ def experiment(options: argparse.Namespace, places: Places) -> int:
     if options.experiment == "list":
         print(list_text(places.root))
         return EXIT_OK
+    # Here, or every start of the launcher, each completion among them, would wait for these.
+    from .experiment_run import merge_shards, run_plans
     if options.experiment == "merge":
         return merge_shards(options, places)
     if options.experiment == "all":

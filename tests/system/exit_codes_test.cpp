@@ -96,6 +96,7 @@ class ExitCodes : public testing::Test {
   void services();
   void tools();
   void trials();
+  void search();
   void drive();
 
   TemporaryDirectory directory_;
@@ -159,6 +160,14 @@ void ExitCodes::trials() {
   expect_at_signal(130, "scarab-experiment", alone, SIGINT);
 }
 
+void ExitCodes::search() {
+  const std::string file = source_file("config/search/example.yaml");
+  expect(0, "scarab-search", {"check", file});
+  expect(1, "scarab-search", {"run", file, "--out", "/proc/no"});
+  expect(2, "scarab-search", {"run", directory_ / "bad.yaml", "--out", directory_ / "search"});
+  expect_at_signal(130, "scarab-search", {"run", file, "--out", directory_ / "search"}, SIGINT);
+}
+
 /// With a terminal, and without.
 void ExitCodes::drive() {
   const auto ended_by = [&](const std::string& keys) {
@@ -193,6 +202,7 @@ TEST_F(ExitCodes, AreThoseOfTheDocumentation) {
   services();
   tools();
   trials();
+  search();
   drive();
   {
     ChildProcess plant = start({"plant", "plant=1", directory_.path(), 0, {}});

@@ -73,7 +73,7 @@ class Tool(unittest.TestCase):
         code, out, err = scarab_config("diff", BEETLE, stiff)
         self.assertEqual((code, err), (1, ""))
         self.assertEqual(out.splitlines(), [
-            "servos.leg.kp_nm_rad: 10 -> 30",
+            f"servos.leg.kp_nm_rad: {read_yaml(BEETLE.read_text())['servos']['leg']['kp_nm_rad']:g} -> 30",
             "legs.hind.attachment_m: [-0.165, 0.035, 0.0325] -> [-0.2, 0.035, 0.0325]"])
 
     def test_diff_of_what_cannot_be_compared_is_trouble_not_a_difference(self):
@@ -89,6 +89,7 @@ class Tool(unittest.TestCase):
 
     def test_match_finds_what_no_single_file_can_tell(self):
         others = {kind: CONFIG / kind / "beetle.yaml" for kind in ("plant", "premotor", "robot", "supervisor")}
+        f_offset_rad = read_yaml(others["premotor"].read_text())["motor"]["front"]["f_offset_rad"]
         for kind, key, change, saying in (
                 ("plant", "start.middle_rad", "start: {middle_rad: [0.71, 0, 0]}",
                  "0.71 is outside of the middle thoraco-coxal joint's range [-0.698"),
@@ -98,7 +99,7 @@ class Tool(unittest.TestCase):
                 ("supervisor", "stationary_hind_pose_rad", "stationary_hind_pose_rad: [0, 0, -0.1]",
                  "-0.1 is outside of the hind femur-tibia joint's range [0, 1.5707963267948966] in "),
                 ("supervisor", "as.reference_rad", "as: {reference_rad: 1.0}",
-                 f"1 is not 1.013, motor.front.f_offset_rad of {others['premotor']}")):
+                 f"1 is not {f_offset_rad}, motor.front.f_offset_rad of {others['premotor']}")):
             with self.subTest(key=key):
                 wrong = self.write(f"{kind}/wrong.yaml", f"extends: {others[kind]}\n{change}\n")
                 self.assertEqual(scarab_config("check", wrong)[0], 0, "alone there is nothing wrong with it")
