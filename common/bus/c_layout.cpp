@@ -32,6 +32,7 @@ struct LayoutOf {
       case Primitive::kBoolean:
       case Primitive::kOctet:
       case Primitive::kChar:
+      case Primitive::kInt8:
         return layout_of<std::uint8_t>();
       case Primitive::kInt16:
       case Primitive::kUint16:

@@ -111,6 +111,8 @@ class Walk {
         return std::uint64_t{cursor_.read<std::uint8_t>()};
       case Primitive::kChar:
         return cursor_.read<char>();
+      case Primitive::kInt8:
+        return std::int64_t{cursor_.read<std::int8_t>()};
       case Primitive::kInt16:
         return std::int64_t{cursor_.read<std::int16_t>()};
       case Primitive::kInt32:

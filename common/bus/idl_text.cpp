@@ -15,6 +15,8 @@ const char* primitive_name(Primitive primitive) {
       return "octet";
     case Primitive::kChar:
       return "char";
+    case Primitive::kInt8:
+      return "int8";
     case Primitive::kInt16:
       return "short";
     case Primitive::kInt32:

@@ -16,6 +16,7 @@ enum class Primitive {
   kBoolean,
   kOctet,
   kChar,
+  kInt8,
   kInt16,
   kInt32,
   kInt64,
@@ -53,9 +54,13 @@ struct Member {
   bool key = false;
 };
 
+/// How a type may grow. Decides how XCDR2 writes a struct; XCDR1 writes both alike.
+enum class Extensibility { kFinal, kAppendable };
+
 struct StructType {
   std::string name;  ///< scoped
   std::vector<Member> members;
+  Extensibility extensibility = Extensibility::kFinal;
 };
 
 struct ArrayType {
