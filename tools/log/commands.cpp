@@ -82,15 +82,20 @@ void add_info(CLI::App& app, Command& chosen) {
   });
 }
 
-void add_csv(CLI::App& app, Command& chosen) {
-  auto* command = app.add_subcommand("csv", "a topic as a table, on stdout");
+void add_export(CLI::App& app, Command& chosen) {
+  auto* command = app.add_subcommand("export", "a topic as a table, on stdout");
+  command->alias("csv");
   command->footer(
-      "Example: scarab-log csv trial.mcap --topic scarab/robot_state --field header.tick "
+      "Example: scarab-log export trial.mcap --topic scarab/robot_state --field header.tick "
       "--field position_rad");
   auto file = std::make_shared<std::string>();
   auto options = std::make_shared<CsvOptions>();
   add_file(*command, "file", *file, "the log");
   command->add_option("--topic", options->topic, "the topic")->required();
+  auto format = std::make_shared<std::string>("csv");
+  command->add_option("--format", *format, "csv")
+      ->check(CLI::IsMember({"csv"}))
+      ->capture_default_str();
   command->add_option("--trial", options->trial, "only samples of this trial");
   command->add_option(
       "--field", options->fields,
@@ -100,7 +105,7 @@ void add_csv(CLI::App& app, Command& chosen) {
                    "elements of each sequence to show beside its length")
       ->capture_default_str();
   command->add_flag("--times", options->times, "put log_time_ns and publish_time_ns first");
-  command->callback([&chosen, file, options] {
+  command->callback([&chosen, file, options, format] {
     chosen = [file, options] {
       const mcap::Reader reader(*file);
       warn_if_cut(reader, std::cerr);
@@ -115,12 +120,13 @@ void add_csv(CLI::App& app, Command& chosen) {
   });
 }
 
-void add_compare(CLI::App& app, Command& chosen) {
+void add_diff(CLI::App& app, Command& chosen) {
   auto* command = app.add_subcommand(
-      "compare", "whether two logs hold the same samples, wall-clock stamps aside");
+      "diff", "whether two logs hold the same samples, wall-clock stamps aside");
+  command->alias("compare");
   command->footer(
       "Exit code: 0 equal, 1 different, 2 nothing could be compared.\n"
-      "Example: scarab-log compare a.mcap b.mcap --topic scarab/behaviour");
+      "Example: scarab-log diff a.mcap b.mcap --topic scarab/behaviour");
   auto arguments = std::make_shared<CompareArguments>();
   add_file(*command, "a", arguments->a, "one log");
   add_file(*command, "b", arguments->b, "the other");

@@ -11,13 +11,13 @@ int main(int argc, char** argv) {
   app.footer(
       "Examples:\n"
       "  scarab-log info runs/latest/trial.mcap\n"
-      "  scarab-log csv runs/latest/trial.mcap --topic scarab/behaviour > behaviour.csv\n"
-      "Exit codes: 0 done; 1 not a log, or compare found a difference; 2 bad usage or no such "
+      "  scarab-log export runs/latest/trial.mcap --topic scarab/behaviour > behaviour.csv\n"
+      "Exit codes: 0 done; 1 not a log, or diff found a difference; 2 bad usage or no such "
       "file.");
   log::Command command;
   log::add_info(app, command);
-  log::add_csv(app, command);
-  log::add_compare(app, command);
+  log::add_export(app, command);
+  log::add_diff(app, command);
   log::add_recover(app, command);
   log::add_attachments(app, command);
   return runtime::run_program(app, argc, argv, [&] { return command(); });
