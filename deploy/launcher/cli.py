@@ -56,7 +56,7 @@ def all_verbs() -> Verbs:
     verbs.group("looking on, and files")
     verbs.add_tool("topic", "scarab-topic", "list, echo and measure the topics of any DDS system",
                    bus_of)
-    verbs.add_tool("log", "scarab-log", "read logs: info, csv, compare, recover, ...")
+    verbs.add_tool("log", "scarab-log", "read logs: info, cat, export, diff, recover, replay, ...")
     verbs.add_tool("config", "scarab-config", "check, dump and compare configuration files")
     completion_verb.add_verb(verbs)
     verbs.finish(_EXAMPLES)

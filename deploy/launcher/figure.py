@@ -19,8 +19,8 @@ _CHUNK_POLL_S = 0.2
 def draw_figure(places: Places, log: Path, trial: int, prefix: Path, signals: Signals) -> None:
     """Writes <prefix>.csv, .svg and .png. Failure with the reason where that does not work."""
     def extract(topic: str, table: Path) -> None:
-        _run([places.program("scarab-log"), "csv", log, "--topic", f"scarab/{topic}",
-              "--trial", str(trial)], table, signals)
+        _run([places.program("scarab-log"), "export", log, "--format", "csv",
+              "--topic", f"scarab/{topic}", "--trial", str(trial)], table, signals)
 
     with tempfile.TemporaryDirectory(dir=prefix.parent, prefix=".figure7-") as room:
         behaviour, robot_state = Path(room) / "behaviour.csv", Path(room) / "robot_state.csv"

@@ -4,8 +4,8 @@
 Panels over time: the inclination signal BS and the joint signal AS with their thresholds, and the angles
 of the T- and C-joints of the left legs, shaded by behaviour. Reads the tables of
 
-    scarab-log csv trial.mcap --topic scarab/behaviour   > behaviour.csv
-    scarab-log csv trial.mcap --topic scarab/robot_state > robot_state.csv
+    scarab-log export trial.mcap --format csv --topic scarab/behaviour   > behaviour.csv
+    scarab-log export trial.mcap --format csv --topic scarab/robot_state > robot_state.csv
     figure7.py --behaviour behaviour.csv --robot-state robot_state.csv --output figure7
 
 or, to draw again, the table it wrote itself: figure7.py --table figure7.csv --output figure7.

@@ -3,7 +3,7 @@
 
 Reads the samples of scarab/world_state of one or more logs, a row for each trial:
 
-    scarab-log csv trial.mcap --topic scarab/world_state --elements 16 > forward.csv
+    scarab-log export trial.mcap --format csv --topic scarab/world_state --elements 16 > forward.csv
     walk.py forward.csv backward.csv --output walk
 
 Without --output it only prints the table.

@@ -1,4 +1,4 @@
-"""Samples of the logs that lie in an experiment's directory, by `scarab-log csv`."""
+"""Samples of the logs that lie in an experiment's directory, by `scarab-log export`."""
 
 import csv
 import io
@@ -72,8 +72,8 @@ class Logs:
         program = self._bin / "scarab-log"
         if not os.access(program, os.X_OK):
             raise ReportError(f"{program} is needed to read {file} and is not built; ./deploy/demo builds it")
-        done = subprocess.run([program, "csv", file, "--topic", f"scarab/{topic}", *words],
-                              capture_output=True, text=True, check=False)
+        done = subprocess.run([program, "export", file, "--format", "csv", "--topic", f"scarab/{topic}",
+                               *words], capture_output=True, text=True, check=False)
         if done.returncode != 0:
             lines = done.stderr.strip().splitlines() or [f"exit code {done.returncode}"]
             raise ReportError(f"{file}: {lines[-1]}")

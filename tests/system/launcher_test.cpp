@@ -129,7 +129,7 @@ TEST_F(Launcher, SpareTakesPartWithNoChangeOfTheTrial) {
   const auto both = run(scarab_run(kSuccess + Arguments{"--replicas", "premotor=2"}), kRunLimit);
   ASSERT_EQ(both.exit_code, 0) << both.err;
   EXPECT_TRUE(fs::exists(run_directory() / "logs" / "premotor-1.log"));
-  const auto result = run({program("scarab-log"), "compare", log_alone,
+  const auto result = run({program("scarab-log"), "diff", log_alone,
                            run_directory() / "trial.mcap", "--topic", "scarab/robot_state"});
   EXPECT_EQ(result.exit_code, 0) << result.out << result.err;
 }
@@ -156,7 +156,7 @@ TEST_F(Launcher, CompletesWhatTheToolsThemselvesOffer) {
   };
   EXPECT_THAT(candidates("scarab topic "), HasSubstr("echo\t"));
   EXPECT_THAT(candidates("scarab log "), HasSubstr("recover\t"));
-  EXPECT_THAT(candidates("scarab log csv --"), HasSubstr("--topic\t"));
+  EXPECT_THAT(candidates("scarab log export --"), HasSubstr("--topic\t"));
   EXPECT_THAT(candidates("scarab operator mode "), HasSubstr("backward\n"));
   EXPECT_THAT(candidates("scarab run --strategy "), HasSubstr("soft+hard\n"));
   EXPECT_THAT(candidates("scarab config "), HasSubstr("check\t"));

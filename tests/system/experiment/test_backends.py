@@ -40,7 +40,7 @@ class Backends(ExperimentCase):
         on_stacks = self.run_into("on-stacks", *ON_STACKS)
         self.assertEqual(table(in_process), table(on_stacks))
         for name in ("trial-0.mcap", "trial-1.mcap"):
-            subprocess.run([str(BIN / "scarab-log"), "compare", str(in_process / name), str(on_stacks / name)],
+            subprocess.run([str(BIN / "scarab-log"), "diff", str(in_process / name), str(on_stacks / name)],
                            check=True, capture_output=True)
         out = self.experiment(str(self.file), "--out", str(in_process))  # nothing is left but to draw it
         self.assertIn("2 trials, all of which have been run", out)
