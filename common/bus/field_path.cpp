@@ -11,7 +11,6 @@ namespace scarab::bus {
 
 namespace {
 
-
 /// How many elements there can be; nothing: any number.
 std::optional<std::size_t> capacity(const Type& type) {
   if (const auto* array = std::get_if<ArrayType>(&type.kind)) return array->dimensions.at(0);
@@ -44,6 +43,9 @@ NoSuchMember::NoSuchMember(const std::string& name, const StructType& type)
       name_(name) {
   for (const Member& member : type.members) known_.push_back(member.name);
 }
+
+NoSuchMember::NoSuchMember(const std::string& context, const NoSuchMember& cause)
+    : Error(context + ": " + cause.what()), name_(cause.name_), known_(cause.known_) {}
 
 FieldPath::FieldPath(const TypeModel& model, const std::string& text)
     : text_(text), type_(model.type()) {
@@ -124,9 +126,9 @@ const SampleNode* FieldPath::find(const SampleNode& sample) const {
       node = &(*list)[step.element];
     } else {
       const auto& members = std::get<SampleNode::Struct>(node->value);
-      const auto found =
-          std::find_if(members.begin(), members.end(),
-                       [&](const auto& member) { return member.first == step.member; });
+      const auto found = std::find_if(members.begin(), members.end(), [&](const auto& member) {
+        return member.first == step.member;
+      });
       if (found == members.end()) return nullptr;
       node = &found->second;
     }

@@ -15,6 +15,8 @@ namespace scarab::bus {
 class NoSuchMember : public Error {
  public:
   NoSuchMember(const std::string& name, const StructType& type);
+  /// The same, met while doing something larger: `context: what()`.
+  NoSuchMember(const std::string& context, const NoSuchMember& cause);
 
   const std::string& name() const { return name_; }
   const std::vector<std::string>& known() const { return known_; }
