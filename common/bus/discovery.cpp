@@ -25,7 +25,14 @@ Guid guid_of(const dds_guid_t& from) {
 /// DDS's own topics, on which discovery itself has readers.
 bool is_builtin(std::string_view topic) { return topic.substr(0, 4) == "DCPS"; }
 
-DiscoveredEndpoint discovered(EndpointKind kind, const dds_builtintopic_endpoint_t& from,
+/// Null: the endpoint sends no type information. Valid as long as the announcement.
+const dds_typeinfo_t* type_information(dds_builtintopic_endpoint_t& announcement) {
+  const dds_typeinfo_t* information = nullptr;
+  const dds_return_t code = dds_builtintopic_get_endpoint_type_info(&announcement, &information);
+  return code == DDS_RETCODE_OK ? information : nullptr;
+}
+
+DiscoveredEndpoint discovered(EndpointKind kind, dds_builtintopic_endpoint_t& from,
                               dds_instance_handle_t handle) {
   Qos qos(dds_create_qos());
   dds_copy_qos(qos.get(), from.qos);
@@ -36,16 +43,14 @@ DiscoveredEndpoint discovered(EndpointKind kind, const dds_builtintopic_endpoint
           from.type_name,
           get_peer(from.qos),
           std::shared_ptr<const dds_qos_t>(std::move(qos)),
-          handle};
+          handle,
+          type_information(from) != nullptr};
 }
 
 /// Null: the endpoint has gone, or sends no type information. Valid as long as the loan.
 const dds_typeinfo_t* type_information(const Loan& announcement) {
-  const dds_typeinfo_t* information = nullptr;
   if (announcement.size() == 0 || !announcement.info(0).valid_data) return nullptr;
-  auto* endpoint = static_cast<dds_builtintopic_endpoint_t*>(announcement.sample(0));
-  const dds_return_t code = dds_builtintopic_get_endpoint_type_info(endpoint, &information);
-  return code == DDS_RETCODE_OK ? information : nullptr;
+  return type_information(*static_cast<dds_builtintopic_endpoint_t*>(announcement.sample(0)));
 }
 
 }  // namespace
@@ -76,7 +81,7 @@ void Discovery::take(const Source& source, std::vector<DiscoveredEndpoint>& fres
   while (true) {
     const Loan loan = Loan::read(source.condition.handle(), "discovery");
     for (std::size_t i = 0; i < loan.size(); ++i) {
-      const auto& endpoint = *static_cast<const dds_builtintopic_endpoint_t*>(loan.sample(i));
+      auto& endpoint = *static_cast<dds_builtintopic_endpoint_t*>(loan.sample(i));
       const dds_sample_info_t& info = loan.info(i);
       if (info.instance_state != DDS_ALIVE_INSTANCE_STATE) {
         endpoints_.erase(guid_of(endpoint.key));

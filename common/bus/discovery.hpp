@@ -29,6 +29,7 @@ struct DiscoveredEndpoint {
   Peer peer;
   std::shared_ptr<const dds_qos_t> qos;
   dds_instance_handle_t handle = 0;  ///< what Cyclone calls it here
+  bool sends_type = false;           ///< it sends type information along
 };
 
 /// Watches which endpoints there are in the domain, those of this process included.

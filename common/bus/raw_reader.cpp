@@ -46,10 +46,11 @@ void add_partitions(const dds_qos_t& offered, std::set<std::string>& names) {
   dds_free(raw);
 }
 
-Qos raw_qos(const std::vector<DiscoveredEndpoint>& writers) {
+Qos raw_qos(const std::vector<DiscoveredEndpoint>& writers, const RawReaderOptions& options) {
   Qos qos(dds_create_qos());
   dds_qset_reliability(qos.get(), DDS_RELIABILITY_RELIABLE, 0);
-  dds_qset_durability(qos.get(), DDS_DURABILITY_TRANSIENT_LOCAL);
+  dds_qset_durability(qos.get(),
+                      options.history ? DDS_DURABILITY_TRANSIENT_LOCAL : DDS_DURABILITY_VOLATILE);
   dds_qset_history(qos.get(), DDS_HISTORY_KEEP_ALL, DDS_LENGTH_UNLIMITED);
   std::set<std::string> partitions;
   for (const DiscoveredEndpoint& writer : writers) {
@@ -68,7 +69,7 @@ Qos raw_qos(const std::vector<DiscoveredEndpoint>& writers) {
 }  // namespace
 
 RawReader::RawReader(Participant& participant, const std::vector<DiscoveredEndpoint>& writers,
-                     const TopicType& type)
-    : ReaderEndpoint(participant, writers.at(0).topic.c_str(), *type, raw_qos(writers)) {}
+                     const TopicType& type, const RawReaderOptions& options)
+    : ReaderEndpoint(participant, writers.at(0).topic.c_str(), *type, raw_qos(writers, options)) {}
 
 }  // namespace scarab::bus

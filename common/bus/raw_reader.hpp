@@ -9,6 +9,12 @@
 
 namespace scarab::bus {
 
+struct RawReaderOptions {
+  /// Also what writers keep for late joiners. Without it the first sample after the match may be
+  /// missed.
+  bool history = true;
+};
+
 /// Reads any topic as bytes, without knowing its type at compile time. Asks for what its writers
 /// offer and keeps every sample until it is taken.
 class RawReader : public ReaderEndpoint {
@@ -16,7 +22,7 @@ class RawReader : public ReaderEndpoint {
   /// `writers`: those known of the topic, at least one; the reader's QoS is the strictest that
   /// matches all.
   RawReader(Participant& participant, const std::vector<DiscoveredEndpoint>& writers,
-            const TopicType& type);
+            const TopicType& type, const RawReaderOptions& options = {});
 
   /// Calls f for each waiting sample, in the order of reception; returns how many.
   std::size_t take(const std::function<void(const RawSample&)>& f) { return take_raw(handle(), f); }
