@@ -12,6 +12,7 @@ from .failure import EXIT_FAILURE, Failure, Interrupted
 from .places import Places, default_bin, default_runs, default_stack_file
 from .stack_options import add_profile_option, bounded_integer
 from .tool_verbs import bus_of, hand_on
+from .tool_words import log_words, topic_words
 from .verbs import Verbs
 
 _EXAMPLES = """deploy/scarab run --height 0.10 --strategy soft+hard --seed 1
@@ -54,9 +55,10 @@ def all_verbs() -> Verbs:
     operator_verbs.add_verbs(verbs)
     verbs.add_tool("search", "scarab-search", "search for parameters: run, evaluate, write")
     verbs.group("looking on, and files")
-    verbs.add_tool("topic", "scarab-topic", "list, echo and measure the topics of any DDS system",
-                   bus_of)
-    verbs.add_tool("log", "scarab-log", "read logs: info, cat, export, diff, recover, replay, ...")
+    verbs.add_tool("topic", "scarab-topic", "list, echo, measure and publish the topics of any DDS system",
+                   bus_of, topic_words)
+    verbs.add_tool("log", "scarab-log", "read logs: info, cat, export, diff, recover, replay, ...",
+                   read=log_words)
     verbs.add_tool("config", "scarab-config", "check, dump and compare configuration files")
     completion_verb.add_verb(verbs)
     verbs.finish(_EXAMPLES)

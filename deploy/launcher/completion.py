@@ -1,16 +1,16 @@
 """What can come next on a command line of `scarab`."""
 
-import subprocess
 from dataclasses import replace
-from typing import Iterable, List, Sequence
+from typing import Dict, Iterable, List, Sequence
 
-from .completion_values import Candidate, Values
+from .completion_logs import LogValues
+from .completion_topics import TopicValues
+from .completion_values import Candidate, Source, Values, said
 from .places import Places
-from .spawn import clean_environment
-from .syntax import Syntax, syntax_of_help, syntax_of_parser
+from .syntax import Argument, Syntax, syntax_of_parser
+from .tool_syntax import tool_syntax
+from .tool_verbs import bus_words, told
 from .verbs import Verbs
-
-_HELP_PATIENCE_S = 2.0
 
 
 class Completion:
@@ -29,47 +29,49 @@ class Completion:
         verb, *before = before
         if verb in self._verbs.parsers:
             syntax = syntax_of_parser(self._verbs.parsers[verb])
-        elif verb in self._verbs.tools:
-            syntax, before = self._tool_syntax(verb, before)
-        else:
-            return []
-        return self._within(syntax, before, typed)
+            return _within(syntax, before, typed, Values(self._places, before))
+        return self._of_tool(verb, before, typed) if verb in self._verbs.tools else []
 
-    def _within(self, syntax: Syntax, before: List[str], typed: str) -> List[Candidate]:
-        values = Values(self._places, before)
-        option, equals, start = typed.partition("=")
-        if equals and option in syntax.options:  # --option=VALUE
-            found = values.of(syntax.options[option], start)
-            return [Candidate(f"{option}={c.text}", c.note) for c in found]
-        last = syntax.options.get(before[-1]) if before else None
-        if last is not None and last.takes_value:
-            return values.of(last, typed)
-        if typed.startswith("-"):
-            said = [word.split("=")[0] for word in before]
-            return _starting_with(typed, [Candidate(o.name, o.note) for o in syntax.options.values()
-                                          if o.repeatable or o.name not in said])
-        commands = [Candidate(name, note) for name, note in syntax.commands.items()]
-        operand = syntax.operand_after(before)
-        return _starting_with(typed, commands) + (values.of(operand, typed) if operand else [])
+    def _of_tool(self, verb: str, words: List[str], typed: str) -> List[Candidate]:
+        syntax, begin = tool_syntax(self._places.program(self._verbs.tools[verb].program), words)
+        command, before = words[begin - 1] if begin else "", words[begin:]
+        syntax = replace(syntax, operands=[_of_kind(o, verb, command) for o in syntax.operands])
+        operands = [before[index] for index in syntax.operands_among(before)]
+        return _within(syntax, before, typed, Values(self._places, words, self._sources(verb, words, operands)))
 
-    def _tool_syntax(self, verb: str, before: List[str]) -> "tuple[Syntax, List[str]]":
-        """Of the tool, or of its subcommand where one has been given; and the words that follow it."""
-        program = str(self._places.program(self._verbs.tools[verb].program))
-        syntax = syntax_of_help(_help([program]))
-        for index, word in enumerate(before):
-            if word in syntax.commands:
-                of_command = syntax_of_help(_help([program, word]))
-                operands = [replace(o, kind=word) if o.kind == "name" else o
-                            for o in of_command.operands]  # as in `operator strategy NAME`
-                return (Syntax({**syntax.options, **of_command.options}, operands),
-                        before[index + 1:])
-        return syntax, before
+    def _sources(self, verb: str, words: List[str], operands: List[str]) -> Dict[str, Source]:
+        first = operands[0] if operands else ""
+        if verb == "log":
+            return LogValues(self._places, first, said(words, "--topic")).sources()
+        if verb == "topic":
+            bus = [*bus_words(words), *told(self._verbs.tools[verb], words, self._places)]
+            return TopicValues(self._places, bus, first).sources()
+        return {}
 
 
-def _help(command: List[str]) -> str:
-    asked = subprocess.run([*command, "--help"], capture_output=True, text=True, check=False,
-                           timeout=_HELP_PATIENCE_S, env=clean_environment())
-    return asked.stdout
+def _within(syntax: Syntax, before: List[str], typed: str, values: Values) -> List[Candidate]:
+    option, equals, start = typed.partition("=")
+    if equals and option in syntax.options:  # --option=VALUE
+        found = values.of(syntax.options[option], start)
+        return [Candidate(f"{option}={c.text}", c.note) for c in found]
+    last = syntax.option(before[-1]) if before else None
+    if last is not None and last.takes_value:
+        return values.of(last, typed)
+    if typed.startswith("-"):
+        given = [word.split("=")[0] for word in before]
+        return _starting_with(typed, [Candidate(o.name, o.note) for o in syntax.options.values()
+                                      if o.repeatable or o.name not in given])
+    commands = [Candidate(name, note) for name, note in syntax.commands.items()]
+    operand = syntax.operand_after(before)
+    return _starting_with(typed, commands) + (values.of(operand, typed) if operand else [])
+
+
+def _of_kind(operand: Argument, verb: str, command: str) -> Argument:
+    """Of a tool. What it calls a name is of the kind its command says, as in `operator strategy NAME`; a file of
+    `log` is a log."""
+    if operand.kind == "name":
+        return replace(operand, kind=command)
+    return replace(operand, kind="log") if verb == "log" and operand.kind == "FILE" else operand
 
 
 def _starting_with(typed: str, candidates: Iterable[Candidate]) -> List[Candidate]:

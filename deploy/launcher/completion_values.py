@@ -1,10 +1,10 @@
 """The values that an option or an operand can take on the command line of `scarab`."""
 
 import os
-import re
 from dataclasses import dataclass
 from pathlib import Path
-from typing import Callable, Dict, Iterable, List, Sequence
+from types import MappingProxyType
+from typing import Callable, Dict, Iterable, List, Mapping, Sequence
 
 from .experiments.experiment_file import EXPERIMENT_WORDS, known_experiments
 from .places import Places
@@ -18,6 +18,8 @@ from .stack_options import DEFAULT_PROFILE
 from .strategies import strategies_of, strategies_of_running
 from .syntax import Argument
 
+Source = Callable[[str], Iterable[str]]  # from what has been typed so far to values that may begin so
+
 
 @dataclass(frozen=True)
 class Candidate:
@@ -28,12 +30,13 @@ class Candidate:
 
 
 class Values:
-    """Of one line: `words` are those already typed, and may say which robot or domain is meant."""
+    """Of one line: `words` are those already typed, and may say which robot or domain is meant; `own` are the
+    sources that its verb has for some kinds."""
 
-    def __init__(self, places: Places, words: Sequence[str]):
+    def __init__(self, places: Places, words: Sequence[str], own: Mapping[str, Source] = MappingProxyType({})):
         self._places = places
         self._words = words
-        self._sources: Dict[str, Callable[[str], Iterable[str]]] = {
+        self._sources: Dict[str, Source] = {
             "strategy": lambda _: self._strategies(),
             "robot": lambda _: known_robots(places.root),
             "profile": lambda _: read_profiles(places.stack_file),
@@ -43,11 +46,11 @@ class Values:
             "domain": lambda _: [str(s.bus.domain) for s in running_stacks(places.runs)],
             "service": lambda _: self._logs(),
             "kind": lambda _: [f.stem for f in (places.root / "config" / "schema").glob("*.json")],
-            "topic": lambda _: self._topics(),
             "experiment": lambda _: [*known_experiments(self._places.root), *EXPERIMENT_WORDS],
             "FILE": lambda start: paths(start, True),
             "file": lambda start: paths(start, True),
             "DIR": lambda start: paths(start, False),
+            **own,
         }
 
     def of(self, argument: Argument, start: str) -> List[Candidate]:
@@ -84,19 +87,18 @@ class Values:
         directory = stack.directory if stack else RunDirectory(self._places.runs / "latest")
         return [file.stem for file in directory.logs.glob("*.log")]
 
-    def _topics(self) -> List[str]:
-        """The project's own: to look for others on the bus takes longer than a person waits for a Tab."""
-        declared = (self._places.root / "common" / "bus" / "topics.hpp").read_text()
-        return re.findall(r'"(scarab/[a-z_]+)"', declared)
-
     def _said(self, option: str) -> str:
-        """The value of an option that has been typed already; empty without it."""
-        for word, following in zip(self._words, [*self._words[1:], ""]):
-            if word == option:
-                return following
-            if word.startswith(option + "="):
-                return word.partition("=")[2]
-        return ""
+        return said(self._words, option)
+
+
+def said(words: Sequence[str], option: str) -> str:
+    """The value of an option that has been typed already; empty without it."""
+    for word, following in zip(words, [*words[1:], ""]):
+        if word == option:
+            return following
+        if word.startswith(option + "="):
+            return word.partition("=")[2]
+    return ""
 
 
 def paths(start: str, files: bool) -> List[str]:

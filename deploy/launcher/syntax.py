@@ -3,7 +3,7 @@
 import argparse
 import re
 from dataclasses import dataclass, field
-from typing import Dict, Iterable, List, Tuple
+from typing import Dict, List, Optional, Sequence, Tuple
 
 from .verbs import options_of
 
@@ -30,23 +30,33 @@ class Syntax:
     options: Dict[str, Argument]
     operands: List[Argument] = field(default_factory=list)
     commands: Dict[str, str] = field(default_factory=dict)  # subcommands, and what they do
+    short: Dict[str, Argument] = field(default_factory=dict)  # options by their short names, such as -n
 
-    def operand_after(self, words: Iterable[str]) -> "Argument | None":
-        """The operand that comes next; the last one may come again."""
-        count, value_follows = 0, False
-        for word in words:
-            option = self.options.get(word)
-            count += not value_follows and not word.startswith("-")
+    def option(self, word: str) -> Optional[Argument]:
+        return self.options.get(word) or self.short.get(word)
+
+    def operands_among(self, words: Sequence[str]) -> List[int]:
+        """Where the operands are: neither options nor their values."""
+        found, value_follows = [], False
+        for index, word in enumerate(words):
+            if not value_follows and not word.startswith("-"):
+                found.append(index)
+            option = None if value_follows else self.option(word)
             value_follows = option is not None and option.takes_value
+        return found
+
+    def operand_after(self, words: Sequence[str]) -> Optional[Argument]:
+        """The operand that comes next; the last one may come again."""
+        count = len(self.operands_among(words))
         return self.operands[min(count, len(self.operands) - 1)] if self.operands else None
 
 
 def syntax_of_parser(parser: argparse.ArgumentParser) -> Syntax:
-    options = {name: _argument(name, action) for name, action in options_of(parser).items()
-               if name.startswith("--")}
+    options = {name: _argument(name, action) for name, action in options_of(parser).items()}
     operands = [_argument(action.dest, action)
                 for action in parser._get_positional_actions()]  # argparse has no question for them
-    return Syntax(options, operands)
+    return Syntax({name: option for name, option in options.items() if name.startswith("--")}, operands,
+                  short={name: option for name, option in options.items() if not name.startswith("--")})
 
 
 def _argument(name: str, action: argparse.Action) -> Argument:
@@ -72,8 +82,8 @@ def syntax_of_help(text: str) -> Syntax:
             syntax.operands.append(_from_help(names, value, note))
         elif section == "Options":
             for name in re.sub(r"\{.*", "", names).split(","):  # --no-x{false}
-                if name.startswith("--"):
-                    syntax.options[name] = _from_help(name, value, note)
+                names_of_length = syntax.options if name.startswith("--") else syntax.short
+                names_of_length[name] = _from_help(name, value, note)
     return syntax
 
 

@@ -8,18 +8,38 @@ from .places import Places
 from .running_stack import RunningStack, choose_stack
 from .verbs import Tool
 
+_BUS = ("--domain", "--tag", "--interface", "--peers")
+
 
 def hand_on(tool: Tool, words: List[str], places: Places) -> NoReturn:
-    """Becomes the tool, which is told of the running stack: of that on the domain the words name, else
-    of the only one. Words that say more of the bus than its domain say all of it."""
-    command = [str(places.program(tool.program)), *words]
-    if tool.of_stack and not _says(words, "-h", "--help", "--tag", "--interface"):
-        domain = _domain(words)
-        stack = choose_stack(places.runs, domain)
-        if stack is not None:
-            told = tool.of_stack(stack)
-            command += told if domain is None else _without(told, "--domain")
-    become(command)
+    """Becomes the tool, which is told of the running stack."""
+    program = str(places.program(tool.program))
+    said = tool.read(words, places) if tool.read else words
+    become([program, *said, *told(tool, words, places)])
+
+
+def told(tool: Tool, words: List[str], places: Places) -> List[str]:
+    """What a tool is told of the running stack: of that on the domain the words name, else of the only one.
+    Words that say more of the bus than its domain say all of it."""
+    if not tool.of_stack or _says(words, "-h", "--help", "--tag", "--interface"):
+        return []
+    domain = _domain(words)
+    stack = choose_stack(places.runs, domain)
+    if stack is None:
+        return []
+    of_stack = tool.of_stack(stack)
+    return of_stack if domain is None else _without(of_stack, "--domain")
+
+
+def bus_words(words: List[str]) -> List[str]:
+    """Those of the words that say where on DDS."""
+    found = []
+    for word, following in zip(words, [*words[1:], ""]):
+        if word in _BUS:
+            found += [word, following]
+        elif word.split("=")[0] in _BUS:
+            found.append(word)
+    return found
 
 
 def _domain(words: List[str]) -> Optional[int]:

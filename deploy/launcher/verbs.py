@@ -29,6 +29,7 @@ class Tool:
 
     program: str
     of_stack: Optional[Callable[[RunningStack], List[str]]]  # what it is told of the one that is up
+    read: Optional[Callable[[List[str], Places], List[str]]] = None  # its words, of what a person said
 
 
 class Verbs:
@@ -65,11 +66,12 @@ class Verbs:
         return parser
 
     def add_tool(self, name: str, program: str, text: str,
-                 of_stack: Optional[Callable[[RunningStack], List[str]]] = None) -> None:
+                 of_stack: Optional[Callable[[RunningStack], List[str]]] = None,
+                 read: Optional[Callable[[List[str], Places], List[str]]] = None) -> None:
         """A verb that hands on."""
         self._note(name, text)
         self._sub.add_parser(name, add_help=False)
-        self.tools[name] = Tool(program, of_stack)
+        self.tools[name] = Tool(program, of_stack, read)
 
     def finish(self, examples: str) -> None:
         """After the last one: what all have in common."""

@@ -1,5 +1,6 @@
 """Tab on a command line: in real shells, and the candidates behind it."""
 
+import json
 import os
 import pty
 import re
@@ -35,6 +36,34 @@ Subcommands:
 Examples:
   scarab-topic list --verbose
 """
+LOG_HELP = """Looks into recorded logs (MCAP).
+Usage: scarab-log [OPTIONS] SUBCOMMAND
+
+Subcommands:
+  info                        what a log holds: topics, trials, time span
+  cat                         print samples as YAML
+  diff                        whether two logs hold the same samples
+"""
+LOG_COMMAND_HELP = """print samples as YAML
+Usage: scarab-log cat [OPTIONS] file
+
+Positionals:
+  file FILE REQUIRED          the log
+
+Options:
+  -n INT                      how many
+  --topic TEXT ...            a topic
+  --field TEXT ...            a column, or the beginning of several
+  --output FILE               where to
+"""
+LOG_INFO = """trial.mcap
+  messages     3
+topics
+  scarab/behaviour          scarab::Behaviour                 2       3.9/s
+  rt/joint_states           sensor_msgs::msg::dds_::JointState_  1    1.0/s
+scarab.recording
+  host         beetle
+"""
 COMMAND_HELP = """print the samples of a topic as YAML
 Usage: scarab-topic echo [OPTIONS] topic
 
@@ -45,6 +74,8 @@ Options:
   --json                      one line of JSON a sample
   --format TEXT:{yaml,json}=yaml
                               how it looks
+  --field TEXT ...            a part of the sample
+  --type TEXT                 of a topic that has no writer
 """
 
 
@@ -117,14 +148,27 @@ class Room(unittest.TestCase):
         self.addCleanup(room.cleanup)
         self.room = Path(room.name)
         (self.room / "bin").mkdir()
-        self.program("scarab-topic", f"case $1 in echo) cat <<'X'\n{COMMAND_HELP}\nX\n;;\n"
-                                     f"*) cat <<'X'\n{TOOL_HELP}\nX\n;; esac")
+        self.program("scarab-topic", f"""case "$*" in
+            *list*--json*) [ -f {self.room}/seen ] && cat {self.room}/seen || exec sleep 9 ;;
+            *echo*--csv*) echo header.tick,mode,position_rad.length; exec sleep 9 ;;
+            *echo*) cat <<'X'\n{COMMAND_HELP}\nX\n;;
+            *) cat <<'X'\n{TOOL_HELP}\nX\n;; esac""")
+        self.program("scarab-log", f"""case "$*" in
+            *--help) [ $1 = --help ] && cat <<'X' || cat <<'Y'\n{LOG_HELP}\nX\n{LOG_COMMAND_HELP}\nY\n;;
+            info*/trial-2.mcap.active) cat <<'X'\n{LOG_INFO}\nX\n;;
+            export*/trial-2.mcap.active\ --topic\ scarab/behaviour*) echo 'header.tick,mode'; echo 1,2; exec sleep 9 ;;
+            *) exit 2 ;; esac""")
         # The supervisor alone knows its strategies; this one says what is in its file.
         self.program("scarab-supervisor", 'while [ "$1" != --config ]; do shift; done; cat "$2"')
         (self.room / "deploy").symlink_to(SOURCE_ROOT / "deploy")
         (self.room / "my files").mkdir()
         (self.room / "plants").mkdir()
         (self.room / "plants" / "noisy.yaml").write_text("")
+        run = self.room / "runs" / "2026-01-01-1"
+        run.mkdir(parents=True)
+        (run / "trial.mcap").write_text("")
+        (run / "trial-2.mcap.active").write_text("")
+        (self.room / "runs" / "latest").symlink_to(run.name)
         self.environment = {"SCARAB_BIN": str(self.room / "bin"),
                             "SCARAB_RUNS": str(self.room / "runs")}
 
@@ -147,6 +191,15 @@ COMPLETED = (
     ("deploy/scarab topic ec", "deploy/scarab topic echo"),
     ("deploy/scarab topic echo scarab/wo", "deploy/scarab topic echo scarab/world_state"),
     ("deploy/scarab topic echo --format j", "deploy/scarab topic echo --format json"),
+    ("deploy/scarab topic echo --type scarab::Tr", "deploy/scarab topic echo --type scarab::Trial"),
+    ("deploy/scarab topic echo --type scarab::Beh", "deploy/scarab topic echo --type scarab::Behaviour"),
+    ("deploy/scarab topic echo scarab/x --field po", "deploy/scarab topic echo scarab/x --field position_rad.length"),
+    ("deploy/scarab log di", "deploy/scarab log diff"),
+    ("deploy/scarab log cat lat", "deploy/scarab log cat latest"),
+    ("deploy/scarab log cat runs/2026-01-01-1/trial-", "deploy/scarab log cat runs/2026-01-01-1/trial-2.mcap.active"),
+    ("deploy/scarab log cat latest --topic rt", "deploy/scarab log cat latest --topic rt/joint_states"),
+    ("deploy/scarab log cat latest --topic scarab/behaviour -n 3 --field m",
+     "deploy/scarab log cat latest --topic scarab/behaviour -n 3 --field mode"),
     ("deploy/scarab experiment transp", "deploy/scarab experiment transport_speed"),
     ("deploy/scarab experiment merge pl", "deploy/scarab experiment merge plants/"),
     ("deploy/scarab completion z", "deploy/scarab completion zsh"),
@@ -221,6 +274,30 @@ class Candidates(Room):
         command = syntax_of_help(COMMAND_HELP)
         self.assertEqual([o.name for o in command.operands], ["topic"])
         self.assertEqual(command.options["--format"].choices, ("yaml", "json"))
+
+    def test_topics_are_those_of_the_running_system_where_it_answers_in_time(self):
+        begin = time.monotonic()
+        self.assertIn("scarab/robot_state", self.texts("topic", "echo", ""))  # of the project: nobody answers
+        self.assertLess(time.monotonic() - begin, 2.0)
+        (self.room / "seen").write_text(json.dumps([{"topic": "rt/joint_states", "type": "JointState_"}]))
+        self.assertEqual(self.texts("topic", "echo", ""), ["rt/joint_states"])
+        self.assertEqual(self.texts("topic", "echo", "a", "--type", ""), ["JointState_"])
+
+    def test_log_is_completed_where_a_log_belongs_alone(self):
+        (self.room / "runs" / "notes.txt").write_text("")
+        runs = f"{self.room}/runs/"
+        self.assertEqual(self.texts("log", "cat", runs), [f"{runs}2026-01-01-1/", f"{runs}latest/"])
+        self.assertIn(f"{runs}notes.txt", self.texts("log", "cat", "--output", runs))
+
+    def test_nothing_is_offered_of_a_log_that_cannot_be_read(self):
+        self.assertEqual(self.texts("log", "cat", "none.mcap", "--topic", ""), [])
+        self.assertEqual(self.texts("log", "cat", "--topic", ""), [])
+        self.assertEqual(self.texts("log", "cat", "latest", "--field", ""), [])
+        self.assertEqual(self.texts("log", "cat", "latest", "--topic", "no/such", "--field", ""), [])
+
+    def test_short_option_with_a_value_is_no_operand(self):
+        self.assertEqual(self.texts("log", "cat", "-n", "3", "lat"), ["latest"])
+        self.assertEqual(self.texts("log", "cat", "-n", "lat"), [])
 
     def test_answer_comes_while_a_person_waits(self):
         """Measured by what an interpreter with the same libraries takes to start, on this machine now."""

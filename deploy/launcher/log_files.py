@@ -1,0 +1,27 @@
+"""The log of a run: one file, or several where the logger was restarted, or splits its log."""
+
+import re
+from pathlib import Path
+from typing import List, Tuple
+
+OPEN = ".active"  # behind the name of a file that its recorder has not closed, or not yet
+
+
+def log_files(directory: Path) -> List[Path]:
+    """In the order of writing; those that were not closed too. Of trials on a stack that is (or was) up, the
+    stack's."""
+    stack = directory / "stack"  # a link, made by `scarab run`
+    place = stack if stack.is_dir() else directory
+    found = {path.name.removesuffix(OPEN): path for path in sorted(place.glob("trial*"), reverse=True)
+             if is_log(path.name)}  # the closed one, where there are both
+    return [found[name] for name in sorted(found, key=_order)]
+
+
+def is_log(name: str) -> bool:
+    """By the end of its name."""
+    return name.removesuffix(OPEN).endswith(".mcap")
+
+
+def _order(name: str) -> Tuple[List[int], str]:
+    """trial.mcap, trial-2.mcap, trial-10.mcap."""
+    return [int(number) for number in re.findall(r"\d+", name)], name

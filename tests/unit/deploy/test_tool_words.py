@@ -1,0 +1,112 @@
+"""What `scarab log` and `scarab topic` understand beyond their tools: the newest run's log, and slips."""
+
+import os
+import subprocess
+import tempfile
+import unittest
+from pathlib import Path
+
+from fake_stack import SCARAB
+
+LOG = """#!/bin/sh
+case "$*" in
+  --help) cat <<'X'
+Subcommands:
+  info                        what a log holds
+  attachments                 list the attached files
+X
+  ;;
+  *--help) cat <<'X'
+Positionals:
+  file FILE REQUIRED          the log
+
+Options:
+  --extract DIR               write them below this folder
+X
+  ;;
+  *) printf '%s\\n' "$@"; exit 3 ;;
+esac
+"""
+
+
+class ToolWords(unittest.TestCase):
+    def setUp(self):
+        room = tempfile.TemporaryDirectory()
+        self.addCleanup(room.cleanup)
+        self.room = Path(room.name).resolve()
+        (self.room / "bin").mkdir()
+        for name in ("scarab-log", "scarab-topic"):
+            program = self.room / "bin" / name
+            program.write_text(LOG)
+            program.chmod(0o755)
+
+    def run_with(self, name, *logs):
+        """Makes the newest run."""
+        directory = self.room / "runs" / name
+        directory.mkdir(parents=True)
+        for log in logs:
+            (directory / log).write_text("")
+        latest = self.room / "runs" / "latest"
+        latest.unlink(missing_ok=True)
+        latest.symlink_to(name)
+        return directory
+
+    def scarab(self, *words):
+        done = subprocess.run([str(SCARAB), *words], capture_output=True, text=True, check=False, cwd=self.room,
+                              env={**os.environ, "SCARAB_BIN": str(self.room / "bin"),
+                                   "SCARAB_RUNS": str(self.room / "runs")})
+        return done.returncode, done.stdout.splitlines(), done.stderr
+
+    def refused(self, text, code, *words):
+        got, out, err = self.scarab(*words)
+        self.assertEqual((got, out, err.count("\n")), (code, [], 1), err)
+        self.assertRegex(err, text)
+
+    def test_latest_is_the_log_of_the_newest_run(self):
+        self.run_with("2026-01-01-1", "trial.mcap")
+        newest = self.run_with("2026-01-01-2", "trial.mcap", "results.csv")
+        code, said, err = self.scarab("log", "info", "latest")
+        self.assertEqual((code, said), (3, ["info", "runs/2026-01-01-2/trial.mcap"]), err)
+        self.assertEqual(err, f"scarab: {newest.relative_to(self.room)}/trial.mcap\n")
+
+    def test_of_several_files_it_is_the_last(self):
+        self.run_with("2026-01-01-1", "trial.mcap", "trial-2.mcap", "trial-10.mcap.active", "trial-9.mcap")
+        code, said, err = self.scarab("log", "info", "latest")
+        self.assertEqual((code, said[1]), (3, "runs/2026-01-01-1/trial-10.mcap.active"))
+        self.assertIn("the last of its 4 files", err)
+
+    def test_log_of_trials_on_a_stack_that_is_up_is_the_stacks(self):
+        stack = self.run_with("2026-01-01-1", "trial.mcap.active")
+        trials = self.run_with("2026-01-01-2", "results.csv")
+        (trials / "stack").symlink_to(Path("..") / stack.name)
+        self.assertEqual(self.scarab("log", "info", "latest")[1][1], "runs/2026-01-01-2/stack/trial.mcap.active")
+
+    def test_directory_stands_for_its_log_and_an_options_does_not(self):
+        directory = self.run_with("2026-01-01-1", "trial.mcap")
+        code, said, err = self.scarab("log", "attachments", str(directory), "--extract", str(directory))
+        self.assertEqual((code, said), (3, ["attachments", "runs/2026-01-01-1/trial.mcap", "--extract", str(directory)]))
+
+    def test_file_of_that_name_is_meant_itself(self):
+        self.run_with("2026-01-01-1", "trial.mcap")
+        (self.room / "latest").write_text("")
+        self.assertEqual(self.scarab("log", "info", "latest")[1], ["info", "latest"])
+
+    def test_run_without_a_log_is_said(self):
+        self.refused("there is no log in runs/latest", 1, "log", "info", "latest")
+        self.run_with("2026-01-01-1")
+        self.refused("there is no log in runs/2026-01-01-1", 1, "log", "info", "latest")
+
+    def test_log_in_the_place_of_the_command_is_no_riddle(self):
+        for log in ("trial.mcap", "runs/1/trial.mcap.active", "latest"):
+            self.refused(f"{log} is a log, .* deploy/scarab log info {log}\n", 2, "log", log)
+
+    def test_topic_in_the_place_of_the_command_is_none_either(self):
+        self.refused("is a topic, .* deploy/scarab topic echo rt/tf\n", 2, "topic", "rt/tf")
+
+    def test_other_words_are_handed_on_as_they_are(self):
+        for words in (["info", "a.mcap"], ["no-such"], ["--extract", "b"]):
+            self.assertEqual(self.scarab("log", *words)[:2], (3, words))
+
+
+if __name__ == "__main__":
+    unittest.main()
