@@ -4,6 +4,7 @@
 #include <iostream>
 
 #include "common/config/error.hpp"
+#include "common/runtime/usage_error.hpp"
 
 namespace scarab::runtime {
 
@@ -14,7 +15,7 @@ int run_program(CLI::App& app, int argc, char** argv, const std::function<int()>
   } catch (const CLI::Success& success) {
     return app.exit(success);
   } catch (const CLI::ParseError& error) {
-    std::cerr << app.get_name() << ": " << error.what() << " (see --help)\n";
+    std::cerr << app.get_name() << ": " << usage_error(app, error) << " (see --help)\n";
     return kExitBadUsage;
   } catch (const config::Error& error) {
     std::cerr << error.what() << '\n';
