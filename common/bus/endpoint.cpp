@@ -61,9 +61,8 @@ Endpoint::Endpoint(Participant& participant, const char* kind, const char* topic
 void Endpoint::own(dds_entity_t entity) { entity_ = Entity(check(entity, name())); }
 
 WriterEndpoint::WriterEndpoint(Participant& participant, const char* topic,
-                               const dds_topic_descriptor_t& descriptor, Profile profile)
-    : Endpoint(participant, "writer", topic, descriptor), check_(descriptor) {
-  const Qos qos = writer_qos(profile);
+                               const dds_topic_descriptor_t& descriptor, Qos qos)
+    : Endpoint(participant, "writer", topic, descriptor) {
   set_peer(*qos, participant.self());
   own(dds_create_writer(participant.handle(), topic_handle(), qos.get(), nullptr));
 }
@@ -79,14 +78,8 @@ std::vector<std::string> WriterEndpoint::faults() const {
   return {mismatch(status.last_policy_id, topic())};
 }
 
-void WriterEndpoint::write_sample(const void* sample) {
-  try {
-    check_.check(sample);
-  } catch (const Error& error) {
-    throw Error(name() + ": " + error.what());
-  }
-  std::vector<std::byte> buffer;
-  const dds_return_t code = dds_write(handle(), check_.without_padding(sample, buffer));
+void WriterEndpoint::send(const void* sample, dds_time_t source_ns) {
+  const dds_return_t code = dds_write_ts(handle(), sample, source_ns);
   if (code == DDS_RETCODE_TIMEOUT) {
     std::string readers;
     for (const Peer& peer : matched()) readers += (readers.empty() ? "" : ", ") + to_string(peer);
@@ -95,7 +88,21 @@ void WriterEndpoint::write_sample(const void* sample) {
   check(code, name());
 }
 
-void WriterEndpoint::dispose_sample(const void* sample) {
+CheckedWriter::CheckedWriter(Participant& participant, const char* topic,
+                             const dds_topic_descriptor_t& descriptor, Profile profile)
+    : WriterEndpoint(participant, topic, descriptor, writer_qos(profile)), check_(descriptor) {}
+
+void CheckedWriter::write_sample(const void* sample) {
+  try {
+    check_.check(sample);
+  } catch (const Error& error) {
+    throw Error(name() + ": " + error.what());
+  }
+  std::vector<std::byte> buffer;
+  send(check_.without_padding(sample, buffer), dds_time());
+}
+
+void CheckedWriter::dispose_sample(const void* sample) {
   check(dds_dispose(handle(), sample), name());
 }
 

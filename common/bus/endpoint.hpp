@@ -34,16 +34,28 @@ class Endpoint {
   Entity entity_;
 };
 
-/// The untyped part of Writer<T>.
+/// What writers have in common.
 class WriterEndpoint : public Endpoint {
  public:
   WriterEndpoint(Participant& participant, const char* topic,
-                 const dds_topic_descriptor_t& descriptor, Profile profile);
+                 const dds_topic_descriptor_t& descriptor, Qos qos);
 
   /// The readers that are matched at this moment, in a stable order.
   std::vector<Peer> matched() const;
   /// Why readers on this topic did not match, since the start; empty when all is well.
   std::vector<std::string> faults() const;
+
+ protected:
+  /// Hands a sample of the C type to Cyclone, stamped with `source_ns`. Throws Error when readers
+  /// do not acknowledge.
+  void send(const void* sample, dds_time_t source_ns);
+};
+
+/// The untyped part of Writer<T>.
+class CheckedWriter : public WriterEndpoint {
+ public:
+  CheckedWriter(Participant& participant, const char* topic,
+                const dds_topic_descriptor_t& descriptor, Profile profile);
 
  protected:
   void write_sample(const void* sample);

@@ -100,7 +100,8 @@ class Writer {
   void operator()(const StructType& type) {
     for (const Member& member : type.members) declare(*member.type);
     if (!begin(type.name)) return;
-    out_ += "@final struct " + split(type.name).second + " {\n";
+    out_ += type.extensibility == Extensibility::kFinal ? "@final " : "@appendable ";
+    out_ += "struct " + split(type.name).second + " {\n";
     for (const Member& member : type.members) {
       out_ += member.key ? "  @key " : "  ";
       out_ += idl_type_name(*member.type) + " " + member.name + dimensions(*member.type) + ";\n";

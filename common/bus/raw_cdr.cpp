@@ -9,13 +9,14 @@
 #include <string>
 
 #include "common/bus/clock.hpp"
+#include "common/bus/encapsulation.hpp"
 #include "common/bus/error.hpp"
 
 namespace scarab::bus {
 
 namespace {
 
-constexpr std::size_t kHeaderSize = 4;
+constexpr std::size_t kHeaderSize = Encapsulation::kSize;
 
 Error no_sample(const dds_topic_descriptor_t& type, const std::string& why) {
   return Error(std::string(type.m_typename) + ": " + why);
@@ -50,7 +51,7 @@ void decode_payload(const dds_topic_descriptor_t& type, ByteView payload, bool s
   auto* bytes = reinterpret_cast<char*>(copy.data());
   if (size == 0 ||
       dds_stream_normalize_data(bytes, &used, size, swap, version, type.m_ops) == nullptr) {
-    throw no_sample(type, "bytes that are no sample of it");
+    throw Error("bytes that are no sample of it");
   }
   dds_istream_t stream;
   dds_istream_init(&stream, size, copy.data(), version);
@@ -72,17 +73,21 @@ Bytes encode_sample(const dds_topic_descriptor_t& type, const void* sample) {
 }
 
 void decode_sample(const dds_topic_descriptor_t& type, ByteView cdr, void* sample) {
-  if (cdr.size < kHeaderSize) throw no_sample(type, "bytes without encapsulation header");
-  const auto representation = std::to_integer<unsigned>(cdr.data[1]);
-  if (cdr.data[0] != std::byte{0} || representation > 1) {
-    throw no_sample(type, "representation other than plain CDR");
+  try {
+    const Encapsulation encapsulation = encapsulation_of(cdr);
+    decode_payload(type, {cdr.data + kHeaderSize, cdr.size - kHeaderSize}, encapsulation.swapped,
+                   encapsulation.xcdr2 ? CDR_ENC_VERSION_2 : CDR_ENC_VERSION_1, sample);
+  } catch (const Error& error) {
+    throw no_sample(type, error.what());
   }
-  decode_payload(type, {cdr.data + kHeaderSize, cdr.size - kHeaderSize}, representation == 0,
-                 CDR_ENC_VERSION_1, sample);
 }
 
 void decode_xcdr2(const dds_topic_descriptor_t& type, ByteView payload, void* sample) {
-  decode_payload(type, payload, false, CDR_ENC_VERSION_2, sample);
+  try {
+    decode_payload(type, payload, false, CDR_ENC_VERSION_2, sample);
+  } catch (const Error& error) {
+    throw no_sample(type, error.what());
+  }
 }
 
 std::size_t take_raw(dds_entity_t reader, const std::function<void(const RawSample&)>& f) {

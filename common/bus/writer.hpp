@@ -7,10 +7,10 @@ namespace scarab::bus {
 
 /// Writes samples of one topic with its profile. Thread-safe.
 template <class T>
-class Writer : public WriterEndpoint {
+class Writer : public CheckedWriter {
  public:
   Writer(Participant& participant, const Topic<T>& topic)
-      : WriterEndpoint(participant, topic.name, descriptor<T>(), topic.profile) {}
+      : CheckedWriter(participant, topic.name, descriptor<T>(), topic.profile) {}
 
   /// Hands a sample to every matched reader. Throws Error, before anything is sent, for a sample
   /// that is none of the type (a value that its enum does not have, a bounded string without end, a
