@@ -8,11 +8,10 @@ Stack::Stack(const std::filesystem::path& directory, const Options& options)
       expect_("logger=" + std::to_string(options.witness ? 2 : 1) +
               ",plant=1,supervisor=1,premotor=" + std::to_string(options.premotors)) {
   std::filesystem::create_directories(directory_);
-  for (const auto* name : {"logger", "plant", "supervisor"}) {
-    services_.emplace(Key{name, 0}, launch({name, 0}));
-  }
-  for (std::uint32_t instance = 0; instance < options.premotors; ++instance) {
-    services_.emplace(Key{"premotor", instance}, launch({"premotor", instance}));
+  std::vector<Key> keys = {{"logger", 0}, {"plant", 0}, {"supervisor", 0}};
+  for (std::uint32_t i = 0; i < options.premotors; ++i) keys.emplace_back("premotor", i);
+  for (const Key& key : keys) {
+    if (options.others.count(key.first) == 0) services_.emplace(key, launch(key));
   }
 }
 

@@ -2,6 +2,7 @@
 
 #include <filesystem>
 #include <map>
+#include <set>
 #include <string>
 
 #include "tests/support/programs.hpp"
@@ -17,7 +18,8 @@ class Stack {
     std::string robot = "beetle";
     bool real_time = false;  ///< the plant's pace: by the wall clock, else lockstep
     Host plant_host = {};
-    Host host = {};  ///< of all others, the experiment too
+    Host host = {};                     ///< of all others, the experiment too
+    std::set<std::string> others = {};  ///< services expected, but started by somebody else
   };
 
   /// Starts all services; `directory` is made and becomes their run directory.
@@ -43,6 +45,8 @@ class Stack {
   /// The closed log, once the stack is stopped.
   [[nodiscard]] std::filesystem::path log() const { return directory_ / "trial.mcap"; }
   [[nodiscard]] const std::filesystem::path& directory() const { return directory_; }
+  /// What each process is told of the stack: its option --expect.
+  [[nodiscard]] const std::string& expect() const { return expect_; }
   /// What all services have said on stderr.
   [[nodiscard]] std::string errors() const;
 
