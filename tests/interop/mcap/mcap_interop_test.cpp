@@ -5,7 +5,7 @@
 #include "common/bus/sample_fields.hpp"
 #include "tests/integration/logger/fixture.hpp"
 #include "tests/integration/logger/meadow_topic.hpp"
-#include "tests/interop/json_array.hpp"
+#include "tests/interop/mcap/json_array.hpp"
 
 namespace scarab::logger::test {
 namespace {
@@ -20,7 +20,7 @@ class McapInterop : public LoggerTest {
   /// Installs the packages the reader needs, pinned by package-lock.json, into the build directory.
   static void install_packages(const std::filesystem::path& installed) {
     std::filesystem::create_directories(installed);
-    const std::filesystem::path source = SCARAB_SOURCE_DIR "/tests/interop";
+    const std::filesystem::path source = SCARAB_SOURCE_DIR "/tests/interop/mcap";
     for (const char* name : {"package.json", "package-lock.json", ".npmrc", "read_mcap.mjs"}) {
       std::filesystem::copy_file(source / name, installed / name,
                                  std::filesystem::copy_options::overwrite_existing);
