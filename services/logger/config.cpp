@@ -16,8 +16,16 @@ constexpr std::array<std::pair<std::string_view, Compression>, 2> enum_names(Com
 
 namespace scarab::logger {
 
+constexpr std::array<std::pair<std::string_view, Split>, 2> enum_names(Split) {
+  return {{{"run", Split::kRun}, {"trial", Split::kTrial}}};
+}
+
 template <class Fields>
 void visit_fields(Fields& f, LoggerConfig& c) {
+  f.optional("split", c.split);
+  f.optional("file_size_mib", c.file_size_mib, config::Range{0, 1 << 20});
+  f.optional("file_time_s", c.file_time_s, config::Range{0, 1e7});
+  f.optional("free_disk_mib", c.free_disk_mib, config::Range{0, 1 << 30});
   f.optional("chunk_size_kib", c.chunk_size_kib, config::Range{1, 65536});
   f.optional("chunk_time_s", c.chunk_time_s, config::Range{0.001, 60});
   f.optional("compression", c.compression);
@@ -32,5 +40,7 @@ LoggerConfig load_config(const std::filesystem::path& path) {
 }
 
 std::string dump_config(const LoggerConfig& config) { return config::dump(config); }
+
+std::string config_schema() { return config::schema<LoggerConfig>("Scarab: config/logger"); }
 
 }  // namespace scarab::logger

@@ -2,31 +2,15 @@
 
 #include <unistd.h>
 
-#include <array>
-#include <ctime>
-
-#include "common/bus/clock.hpp"
 #include "services/logger/attachments.hpp"
+#include "services/logger/host_facts.hpp"
+#include "services/logger/utc_time.hpp"
 
 namespace scarab::logger {
 namespace {
 
 bool is_free(const std::filesystem::path& path) {
   return !std::filesystem::exists(path) && !std::filesystem::exists(path.string() + ".active");
-}
-
-std::string utc_now() {
-  const std::time_t now = std::time(nullptr);
-  std::tm parts{};
-  ::gmtime_r(&now, &parts);
-  std::array<char, 32> text{};
-  const std::size_t size = std::strftime(text.data(), text.size(), "%Y-%m-%dT%H:%M:%SZ", &parts);
-  return {text.data(), size};
-}
-
-std::string host_name() {
-  std::array<char, 256> name{};
-  return ::gethostname(name.data(), name.size() - 1) == 0 ? name.data() : "";
 }
 
 mcap::WriterOptions writer_options(const LoggerConfig& config) {
@@ -52,27 +36,47 @@ std::filesystem::path free_name(const std::filesystem::path& wanted) {
   return name;
 }
 
-std::unique_ptr<mcap::Writer> open_log(const LoggerOptions& options, const LoggerConfig& config) {
-  const auto attachments = load_attachments(options.attach, options.service.run_dir);
-  auto writer = std::make_unique<mcap::Writer>(free_name(options.output), writer_options(config));
+std::filesystem::path part_name(const std::filesystem::path& output, Split split,
+                                std::uint32_t trial) {
+  if (split == Split::kRun) return output;
+  std::string number = std::to_string(trial);
+  number.insert(0, number.size() < 4 ? 4 - number.size() : 0, '0');
+  return output.parent_path() /
+         (output.stem().string() + "-" + number + output.extension().string());
+}
+
+LogFiles::LogFiles(const LoggerOptions& options, const LoggerConfig& config)
+    : options_(options),
+      config_(config),
+      recording_(utc_now() + "-" + host_name() + "-" + std::to_string(::getpid())) {}
+
+std::unique_ptr<mcap::Writer> LogFiles::open(const Part& part) const {
+  const auto attachments = load_attachments(options_.attach, options_.service.run_dir);
+  const auto name = free_name(part_name(options_.output, config_.split, part.trial));
+  auto writer = std::make_unique<mcap::Writer>(name, writer_options(config_));
   for (const mcap::Attachment& attachment : attachments) {
     writer->attach(attachment);
   }
   writer->add_metadata({"scarab.recording",
                         {{"version", SCARAB_VERSION},
-                         {"host", host_name()},
+                         {"recording", recording_},
+                         {"part", std::to_string(part.number)},
                          {"started", utc_now()},
-                         {"domain", std::to_string(options.service.bus.domain)}}});
+                         {"domain", std::to_string(options_.service.bus.domain)}}});
+  writer->add_metadata(host_metadata());
   return writer;
 }
 
-mcap::Metadata closing_metadata(const RecordingState& state) {
-  return {"scarab.recorded",
-          {{"closed", utc_now()},
-           {"trials", std::to_string(state.progress.trials())},
-           {"missed_ticks", std::to_string(state.progress.missed_ticks())},
-           {"messages", std::to_string(state.messages)},
-           {"bytes", std::to_string(state.bytes)}}};
+std::unique_ptr<LogSeries> open_series(const LoggerOptions& options, const LoggerConfig& config) {
+  const auto folder = options.output.parent_path();
+  SeriesLimits limits;
+  limits.file_per_trial = config.split == Split::kTrial;
+  limits.file_size_bytes = config.file_size_mib << 20U;
+  limits.file_time = std::chrono::duration_cast<std::chrono::nanoseconds>(
+      std::chrono::duration<double>(config.file_time_s));
+  return std::make_unique<LogSeries>(
+      [files = LogFiles(options, config)](const Part& part) { return files.open(part); }, limits,
+      DiskSpace([folder] { return free_bytes(folder); }, config.free_disk_mib << 20U));
 }
 
 }  // namespace scarab::logger

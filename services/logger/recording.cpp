@@ -4,9 +4,9 @@
 
 namespace scarab::logger {
 
-Recording::Recording(std::unique_ptr<mcap::Writer> writer, std::size_t queue_limit_bytes,
+Recording::Recording(std::unique_ptr<LogSeries> series, std::size_t queue_limit_bytes,
                      std::function<void()> notify)
-    : writer_(std::move(writer)),
+    : series_(std::move(series)),
       queue_(queue_limit_bytes),
       notify_(std::move(notify)),
       thread_([this] { run(); }) {}
@@ -25,6 +25,11 @@ RecordingState Recording::state() const {
   return state_;
 }
 
+std::string Recording::obstacle() const {
+  const std::lock_guard lock(mutex_);
+  return obstacle_;
+}
+
 bool Recording::failed() const {
   const std::lock_guard lock(mutex_);
   return failure_ != nullptr;
@@ -35,10 +40,11 @@ void Recording::run() {
   constexpr std::chrono::milliseconds kSilence{100};
   try {
     while (!queue_.finished()) {
+      if (!hold_while_no_room()) break;
       if (const auto batch = queue_.pop(kSilence)) {
         write(*batch);
       }
-      writer_->close_chunk_if_due(static_cast<std::uint64_t>(bus::now_ns()));
+      series_->close_chunk_if_due(static_cast<std::uint64_t>(bus::now_ns()));
     }
   } catch (...) {
     queue_.close();
@@ -48,56 +54,55 @@ void Recording::run() {
   notify_();
 }
 
-void Recording::add_channel(const ChannelSpec& spec) {
-  std::uint16_t schema = 0;
-  if (!spec.idl.empty()) {
-    const auto [entry, fresh] = schema_ids_.try_emplace(spec.idl, std::uint16_t{0});
-    if (fresh) {
-      entry->second = writer_->add_schema(spec.type_name, "omgidl", spec.idl);
-    }
-    schema = entry->second;
+/// False: nothing is left to write.
+bool Recording::hold_while_no_room() {
+  constexpr std::chrono::milliseconds kPoll{100};
+  while (!series_->has_room(queue_.size_bytes())) {
+    tell_obstacle(series_->obstacle());
+    if (!queue_.wait_for_close(kPoll)) continue;
+    if (queue_.finished()) return false;
+    throw mcap::FileError(series_->obstacle());
   }
-  channels_.push_back({writer_->add_channel(schema, spec.topic, "cdr", {{"type", spec.type_name}}),
-                       spec.shows_progress});
+  tell_obstacle("");
+  return true;
+}
+
+void Recording::tell_obstacle(const std::string& obstacle) {
+  if (obstacle == obstacle_) return;  // only this thread changes it
+  {
+    const std::lock_guard lock(mutex_);
+    obstacle_ = obstacle;
+    state_ = series_->state();
+  }
+  notify_();
 }
 
 void Recording::write(const SampleBatch& batch) {
   for (const ChannelSpec& spec : batch.channels()) {
-    add_channel(spec);
+    series_->add_channel(spec);
   }
-  RecordingState state = state_;  // only this thread changes it
   for (const SampleBatch::Entry& entry : batch.entries()) {
-    const RecordedChannel& channel = channels_.at(entry.channel);
-    const mcap::ByteView bytes = batch.bytes(entry);
-    writer_->write({channel.id, entry.sequence, entry.log_time_ns, entry.publish_time_ns, bytes});
-    state.bytes += bytes.size();
-    if (!channel.shows_progress) {
-      continue;
-    }
-    if (const auto header = read_sample_header(bytes.data(), bytes.size())) {
-      state.progress.note(*header);
-    }
+    series_->write(entry, batch.bytes(entry));
   }
-  state.messages += batch.entries().size();
-  state.channels = static_cast<std::uint32_t>(channels_.size());
-  const bool moved = state.progress.tick() != state_.progress.tick() ||
-                     state.progress.trial() != state_.progress.trial();
+  for (const auto& [channel, loss] : batch.losses()) {
+    series_->note_loss(channel, loss);
+  }
+  const RecordedProgress before = state_.progress;  // only this thread changes it
   {
     const std::lock_guard lock(mutex_);
-    state_ = state;
+    state_ = series_->state();
   }
-  if (moved) {
+  if (state_.progress.tick() != before.tick() || state_.progress.trial() != before.trial()) {
     notify_();
   }
 }
 
-void Recording::close(const std::function<mcap::Metadata(const RecordingState&)>& final_metadata) {
+void Recording::close() {
   stop();
   if (failure_ != nullptr) {
     std::rethrow_exception(failure_);
   }
-  writer_->add_metadata(final_metadata(state_));
-  writer_->close();
+  series_->close();
 }
 
 }  // namespace scarab::logger

@@ -25,6 +25,11 @@ std::string schema_text(const bus::TopicType& type, const std::string& topic) {
   }
 }
 
+TopicRole role_of(const std::string& topic) {
+  if (topic == bus::kRobotState.name) return TopicRole::kProgress;
+  return topic == bus::kTrial.name ? TopicRole::kTrial : TopicRole::kNone;
+}
+
 }  // namespace
 
 TopicRecorder::TopicRecorder(bus::Participant& participant, bus::WaitSet& wait_set)
@@ -64,8 +69,11 @@ void TopicRecorder::add_topic(const bus::DiscoveredEndpoint& writer, SampleBatch
     Topic topic;
     topic.reader = std::make_unique<bus::RawReader>(participant_, writers, type);
     topic.channel = static_cast<std::uint32_t>(topics_.size());
-    batch.add_channel({writer.topic, writer.type, schema_text(type, writer.topic),
-                       writer.topic == bus::kRobotState.name});
+    batch.add_channel({writer.topic,
+                       writer.type,
+                       schema_text(type, writer.topic),
+                       role_of(writer.topic),
+                       {{"type", writer.type}}});
     wait_set_.attach(*topic.reader);
     topics_.emplace(writer.topic, std::move(topic));
     newest_reader_ = Clock::now();

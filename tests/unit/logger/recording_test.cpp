@@ -25,27 +25,40 @@ SampleBatch one_sample(std::size_t size) {
   return batch;
 }
 
-TEST(BatchQueue, HoldsThePusherBackWhileItIsFull) {
+TEST(BatchQueue, TellsWhenThereIsRoomAgain) {
   BatchQueue queue(1000);
-  std::atomic<int> pushed = 0;
-  std::thread pusher([&] {
-    for (int i = 0; i < 10; ++i) {
-      EXPECT_TRUE(queue.push(one_sample(2000)));
-      ++pushed;
-    }
-  });
-  int taken = 0;
-  while (taken < 10) {
-    if (queue.pop(1s)) ++taken;
-    EXPECT_LE(pushed, taken + 1) << "more than one batch beyond the limit";
+  EXPECT_TRUE(queue.push(one_sample(2000)));
+  EXPECT_TRUE(queue.full());
+  EXPECT_FALSE(queue.wait_for_room(1ms));
+  std::thread writer([&] { EXPECT_TRUE(queue.pop(10s).has_value()); });
+  EXPECT_TRUE(queue.wait_for_room(10s));
+  writer.join();
+  EXPECT_FALSE(queue.full());
+  EXPECT_EQ(queue.size_bytes(), 0U);
+}
+
+TEST(BatchQueue, BatchesWithoutSamplesPileUpToOne) {
+  BatchQueue queue(1000);
+  queue.push(one_sample(2000));
+  for (std::uint32_t i = 0; i < 1000; ++i) {
+    SampleBatch batch = one_sample(100);
+    if (i == 500) batch.add_channel({"late/topic", "Late", "", TopicRole::kNone, {}});
+    batch.drop_samples();
+    queue.push(std::move(batch));
   }
-  pusher.join();
+  EXPECT_EQ(queue.pop(0s)->entries().size(), 1U);
+  const auto rest = queue.pop(0s);
+  EXPECT_EQ(rest->losses().at(0).dropped, 1000U);
+  EXPECT_EQ(rest->channels().size(), 1U);
+  EXPECT_FALSE(queue.pop(0s).has_value());
 }
 
 TEST(BatchQueue, ClosedTakesNothingMoreButGivesWhatItHas) {
   BatchQueue queue(1000);
   EXPECT_TRUE(queue.push(one_sample(1)));
+  EXPECT_FALSE(queue.wait_for_close(0s));
   queue.close();
+  EXPECT_TRUE(queue.wait_for_close(0s));
   EXPECT_FALSE(queue.push(one_sample(1)));
   EXPECT_FALSE(queue.finished());
   EXPECT_TRUE(queue.pop(0s).has_value());
@@ -55,8 +68,9 @@ TEST(BatchQueue, ClosedTakesNothingMoreButGivesWhatItHas) {
 SampleBatch robot_states(std::uint32_t first, std::uint32_t last, bool with_channel) {
   SampleBatch batch;
   if (with_channel) {
-    batch.add_channel({"scarab/robot_state", "scarab::RobotState", "module scarab {};", true});
-    batch.add_channel({"somebody/else", "somebody::Else", "", false});
+    batch.add_channel(
+        {"scarab/robot_state", "scarab::RobotState", "module a {};", TopicRole::kProgress, {}});
+    batch.add_channel({"somebody/else", "somebody::Else", "", TopicRole::kNone, {}});
   }
   for (std::uint32_t tick = first; tick <= last; ++tick) {
     scarab_RobotState state{};
@@ -70,19 +84,26 @@ SampleBatch robot_states(std::uint32_t first, std::uint32_t last, bool with_chan
   return batch;
 }
 
+std::unique_ptr<LogSeries> series_of(LogSeries::Open open) {
+  return std::make_unique<LogSeries>(std::move(open), SeriesLimits{}, DiskSpace(nullptr, 0));
+}
+
+std::unique_ptr<LogSeries> one_file(const std::filesystem::path& path,
+                                    const mcap::WriterOptions& options = {}) {
+  return series_of([=](const Part&) { return std::make_unique<mcap::Writer>(path, options); });
+}
+
 TEST(Recording, WritesWhatItIsHandedAndSaysHowFarItIs) {
   TemporaryFolder folder;
   std::atomic<int> news = 0;
-  Recording recording(std::make_unique<mcap::Writer>(folder / "x.mcap"), 1U << 20U,
-                      [&] { ++news; });
+  Recording recording(one_file(folder / "x.mcap"), 1U << 20U, [&] { ++news; });
   recording.push(robot_states(0, 9, true));
   recording.push(robot_states(10, 19, false));
-  recording.close([](const RecordingState& state) {
-    EXPECT_EQ(state.progress.tick(), 19U);
-    EXPECT_EQ(state.messages, 20U);
-    EXPECT_EQ(state.channels, 2U);
-    return mcap::Metadata{"end", {}};
-  });
+  recording.close();
+  const RecordingState state = recording.state();
+  EXPECT_EQ(state.progress.tick(), 19U);
+  EXPECT_EQ(state.messages, 20U);
+  EXPECT_EQ(state.channels, 2U);
   EXPECT_GE(news, 2);
   const mcap::Reader reader(folder / "x.mcap");
   EXPECT_EQ(reader.summary().statistics.message_count, 20U);
@@ -91,22 +112,25 @@ TEST(Recording, WritesWhatItIsHandedAndSaysHowFarItIs) {
 
 TEST(Recording, AFailedWriteIsToldAndNeverBlocksThePusher) {
   TemporaryFolder folder;
-  auto writer = std::make_unique<mcap::Writer>(folder / "x.mcap");
-  writer->close();  // every further write fails
   std::atomic<bool> told = false;
-  Recording recording(std::move(writer), 100, [&] { told = true; });
+  Recording recording(series_of([&](const Part&) {
+                        auto writer = std::make_unique<mcap::Writer>(folder / "x.mcap");
+                        writer->close();  // every further write fails
+                        return writer;
+                      }),
+                      100, [&] { told = true; });
   for (int i = 0; i < 50; ++i) recording.push(robot_states(0, 9, true));
   while (!told) std::this_thread::yield();
   EXPECT_TRUE(recording.failed());
-  EXPECT_THROW(recording.close([](const RecordingState&) { return mcap::Metadata{}; }),
-               mcap::FileError);
+  EXPECT_FALSE(recording.full());
+  EXPECT_THROW(recording.close(), mcap::FileError);
 }
 
 TEST(Recording, ASilentTopicsChunkIsClosedByTheClock) {
   TemporaryFolder folder;
   mcap::WriterOptions options;
   options.chunk_time = 1ms;
-  Recording recording(std::make_unique<mcap::Writer>(folder / "x.mcap", options), 1U << 20U, [] {});
+  Recording recording(one_file(folder / "x.mcap", options), 1U << 20U, [] {});
   recording.push(robot_states(0, 3, true));
   const auto end = std::chrono::steady_clock::now() + 10s;
   while (mcap::Reader(folder / "x.mcap.active").summary().statistics.message_count < 4) {
@@ -146,10 +170,14 @@ TEST(Config, DumpsWhatItReadsBack) {
   LoggerConfig config;
   config.chunk_size_kib = 77;
   config.compression = mcap::Compression::kNone;
+  config.split = Split::kTrial;
+  config.file_size_mib = 12;
   mcap::test::write_file(folder / "c.yaml", std::string_view(dump_config(config)));
   const LoggerConfig read = load_config(folder / "c.yaml");
   EXPECT_EQ(read.chunk_size_kib, 77U);
   EXPECT_EQ(read.compression, mcap::Compression::kNone);
+  EXPECT_EQ(read.split, Split::kTrial);
+  EXPECT_EQ(read.file_size_mib, 12U);
   EXPECT_EQ(dump_config(read), dump_config(config));
 }
 

@@ -1,0 +1,10 @@
+#include "services/logger/core/disk_guard.hpp"
+
+namespace scarab::logger {
+
+void DiskGuard::update(std::uint64_t free_bytes, std::uint64_t pending_bytes) {
+  const std::uint64_t margin = has_room_ ? 0 : keep_free_bytes_ / 8;
+  has_room_ = keep_free_bytes_ == 0 || free_bytes >= keep_free_bytes_ + pending_bytes + margin;
+}
+
+}  // namespace scarab::logger

@@ -1,0 +1,61 @@
+#include "services/logger/status_report.hpp"
+
+#include "common/runtime/peers.hpp"
+
+namespace scarab::logger {
+
+StatusReport::StatusReport(bus::Participant& participant, const bus::Peer& self)
+    : status_(participant, self) {
+  status_.set_lifecycle(scarab_LIFECYCLE_INACTIVE);
+  status_.publish_if_due();
+}
+
+void StatusReport::recorded(const RecordingState& state) {
+  status_.set_recorded(state.progress.trial(), state.progress.tick());
+  status_.set_counter("messages", state.messages);
+  status_.set_counter("bytes", state.bytes);
+  status_.set_counter("channels", state.channels);
+  status_.set_counter("files", state.files);
+  status_.set_counter("missed_ticks", state.progress.missed_ticks());
+}
+
+void StatusReport::ready(std::uint32_t trial) {
+  ready_trial_ = trial;
+  status_.set_ready(trial);
+  status_.set_lifecycle(scarab_LIFECYCLE_ACTIVE);
+  status_.set_health(scarab_HEALTH_OK);
+}
+
+void StatusReport::waits_for(const std::vector<std::string>& missing) {
+  status_.set_health(scarab_HEALTH_WAITING, "waits for " + runtime::join(missing));
+}
+
+void StatusReport::held_up(const std::string& obstacle) {
+  status_.set_health(scarab_HEALTH_FAULT, obstacle);
+}
+
+void StatusReport::works(const RecordingState& state, const LossAccount& losses,
+                         std::vector<std::string> faults) {
+  const auto lost = losses.in_words();
+  faults.insert(faults.end(), lost.begin(), lost.end());
+  if (state.progress.missed_ticks() > 0) {
+    faults.push_back(std::to_string(state.progress.missed_ticks()) +
+                     " ticks of robot_state missed");
+  }
+  status_.set_counter("dropped", losses.total().dropped);
+  status_.set_counter("lost", losses.total().lost);
+  status_.set_counter("faults", faults.size());
+  if (faults.empty()) {
+    status_.set_health(scarab_HEALTH_OK);
+  } else {
+    status_.set_health(scarab_HEALTH_DEGRADED, runtime::join(faults));
+  }
+}
+
+void StatusReport::farewell(const std::string& obstacle) {
+  status_.set_lifecycle(scarab_LIFECYCLE_FINALISED);
+  if (!obstacle.empty()) status_.set_health(scarab_HEALTH_FAULT, obstacle);
+  status_.publish_if_due();
+}
+
+}  // namespace scarab::logger
