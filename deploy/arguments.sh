@@ -30,7 +30,7 @@ kind_of() {
     --replicas) echo "replicas" ;;
     --config) echo "service_file" ;;
     --tag | --interface | --peers) echo "text" ;;
-    --no-perturbation | --no-figure | --keep | --realtime | --lockstep) echo "flag" ;;
+    --no-perturbation | --no-figure | --no-log | --keep | --realtime | --lockstep) echo "flag" ;;
   esac
 }
 

@@ -17,6 +17,15 @@ def log_files(directory: Path) -> List[Path]:
     return [found[name] for name in sorted(found, key=_order)]
 
 
+def is_open(log: Path) -> bool:
+    """Its recorder is still at work, or was killed."""
+    return log.name.endswith(OPEN)
+
+
+def closed_name(log: Path) -> str:
+    return log.name.removesuffix(OPEN)
+
+
 def is_log(name: str) -> bool:
     """By the end of its name."""
     return name.removesuffix(OPEN).endswith(".mcap")

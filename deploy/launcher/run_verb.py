@@ -2,20 +2,21 @@
 
 import argparse
 from pathlib import Path
-from typing import Optional
+from typing import List, Optional
 
 from .domain_claim import claim_domain
 from .experiment import Stage, conduct, only_trials_of, stopped_in_the_end
 from .failure import Failure, UsageError
 from .keeper_events import EventTail
 from .launch import launch
+from .log_losses import log_losses
 from .places import Places, shown
 from .run_directory import create_run_directory
 from .run_record import record_trials, source_version
 from .run_results import figure_of, mend_log, say_where
 from .running_stack import Kind, RunningStack, running_stacks
 from .signals import Signals
-from .stack import Pace
+from .stack import LOGGER, Pace
 from .stack_file import read_stack
 from .stack_options import DEFAULT_PROFILE, add_pace_options, add_stack_options, changes_of
 from .strategies import check_strategy, strategies_of, strategies_of_running
@@ -68,15 +69,17 @@ def _run_on_its_own(options: argparse.Namespace, places: Places, signals: Signal
                       signals)
     directory, master = launched.run.directory, stack.tick_master()
     stage = Stage(launched.run.bus, stack.expected(), master.name if master else "", launched.keeper)
+    lacks: List[str] = []
     try:
         with stopped_in_the_end(launched.keeper, signals, options.keep), only_trials_of(directory):
             code = conduct(options, places, stage, directory, signals)
+            lacks = log_losses(places, stage.bus, stage.expected)
         if not options.keep:
             mend_log(places, directory, signals)
         if not options.no_figure:
-            figure_of(places, directory, directory, signals)
+            figure_of(places, directory, directory, LOGGER in stack.expected(), signals)
     finally:
-        say_where(directory, directory)
+        say_where(directory, directory, lacks)
     if options.keep:
         print("the stack is still running: stop it with `deploy/scarab down`")
     return code
@@ -95,13 +98,15 @@ def _run_on(running: RunningStack, options: argparse.Namespace, places: Places,
         record_trials(directory, running.directory, source_version(places.root))
         print(f"using the stack of {shown(running.directory.path)} that is up "
               f"(DDS domain {running.bus.domain}, {running.pace.words})")
+        lacks: List[str] = []
         try:
             stage = Stage(running.bus, running.expected, running.tick_master, EventTail(running))
             code = conduct(options, places, stage, directory, signals)
+            lacks = log_losses(places, stage.bus, stage.expected)
             if not options.no_figure:
-                figure_of(places, directory, running.directory, signals)
+                figure_of(places, directory, running.directory, LOGGER in running.expected, signals)
         finally:
-            say_where(directory, running.directory)
+            say_where(directory, running.directory, lacks)
         return code
 
 
@@ -112,7 +117,7 @@ def _check_fits(options: argparse.Namespace, running: RunningStack) -> None:
                          f"Leave the option out, or start it anew: deploy/scarab down && "
                          f"deploy/scarab up --{options.pace.value}")
     other = {"--profile": options.profile, "--replicas": options.replicas,
-             "--robot": options.robot, "--config": options.config,
+             "--robot": options.robot, "--config": options.config, "--no-log": not options.log,
              "--tag": options.tag not in (None, running.bus.tag),
              "--interface": options.interface not in (None, running.bus.interface),
              "--peers": options.peers not in (None, running.bus.peers)}

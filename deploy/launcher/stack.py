@@ -5,6 +5,8 @@ from dataclasses import dataclass, replace
 from pathlib import Path
 from typing import Optional, Sequence, Tuple
 
+LOGGER = "logger"  # the service that writes the log
+
 
 class Restart(enum.Enum):
     """When a service that crashed is started again."""

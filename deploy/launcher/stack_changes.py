@@ -1,11 +1,11 @@
-"""What a person wants otherwise than stack.yaml says: --replicas, --robot, --config, --interface, ..."""
+"""What a person wants otherwise than stack.yaml says: --replicas, --robot, --config, --no-log, --interface, ..."""
 
 from dataclasses import dataclass, field, replace
 from pathlib import Path
 from typing import Dict, Iterable, Optional, Tuple
 
 from .failure import UsageError
-from .stack import Service, Stack
+from .stack import LOGGER, Service, Stack
 from .strict_yaml import did_you_mean
 
 MOST_INSTANCES = 8
@@ -21,6 +21,7 @@ class StackChanges:
     interface: Optional[str] = None
     tag: Optional[str] = None
     peers: Optional[Tuple[str, ...]] = None
+    log: bool = True
 
 
 def apply_changes(stack: Stack, changes: StackChanges) -> Stack:
@@ -28,6 +29,8 @@ def apply_changes(stack: Stack, changes: StackChanges) -> Stack:
 
     UsageError for a service that the profile does not have, and for what it cannot take.
     """
+    if not changes.log:
+        stack = _without_logger(stack)
     _check_names(changes.replicas, "--replicas", (*stack.services, *stack.elsewhere), stack)
     _check_names(changes.configs, "--config", stack.services, stack)
     return replace(
@@ -37,6 +40,14 @@ def apply_changes(stack: Stack, changes: StackChanges) -> Stack:
         interface=stack.interface if changes.interface is None else changes.interface,
         tag=stack.tag if changes.tag is None else changes.tag,
         peers=stack.peers if changes.peers is None else changes.peers)
+
+
+def _without_logger(stack: Stack) -> Stack:
+    """UsageError where it has none, on this host or another."""
+    if all(s.name != LOGGER for s in (*stack.services, *stack.elsewhere)):
+        raise UsageError(f"--no-log: profile '{stack.profile}' has no logger")
+    return replace(stack, services=tuple(s for s in stack.services if s.name != LOGGER),
+                   elsewhere=tuple(s for s in stack.elsewhere if s.name != LOGGER))
 
 
 def _check_names(names: Iterable[str], option: str, services: Iterable[Service],

@@ -60,6 +60,8 @@ def add_stack_options(parser: argparse.ArgumentParser) -> None:
                         metavar="SERVICE=N",
                         help="how many processes of a service, such as premotor=2 for a hot spare; "
                              "repeatable, or with commas")
+    parser.add_argument("--no-log", dest="log", action="store_false",
+                        help="a stack without logger; on two hosts, on both")
     parser.add_argument("--tag", metavar="TEXT", help="discovery tag of Cyclone DDS (none)")
     parser.add_argument("--interface", metavar="NAME",
                         help="network interface of the DDS traffic (the one that stack.yaml names)")
@@ -87,7 +89,8 @@ def changes_of(options: argparse.Namespace) -> StackChanges:
         configs=_once("--config", options.config),
         interface=getattr(options, "interface", None),
         tag=getattr(options, "tag", None),
-        peers=getattr(options, "peers", None))
+        peers=getattr(options, "peers", None),
+        log=getattr(options, "log", True))
 
 
 def _once(option: str, pairs: List[Tuple[str, T]]) -> Dict[str, T]:

@@ -6,7 +6,7 @@ from typing import List, Protocol, Sequence
 from ..launch import check
 from ..places import Places
 from ..signals import Signals
-from ..stack import Stack
+from ..stack import LOGGER, Stack
 from .configuration import SIMULATED, stack_that_reads
 from .directory import ExperimentDirectory
 from .in_process_seat import InProcessSeat
@@ -14,7 +14,6 @@ from .seat import Seat
 from .stack_seat import StackSeat
 
 _PROGRAMS_OF_A_STACK = ("scarab-experiment", "scarab-status")
-_LOGGER = "logger"
 
 
 class Backend(Protocol):
@@ -72,5 +71,5 @@ class Stacks:
         return [StackSeat(n + 1, places, checked, directory, record, signals) for n in range(self.count)]
 
     def _members(self, record: bool) -> Stack:
-        names: Sequence[str] = (_LOGGER, *SIMULATED) if record else SIMULATED
+        names: Sequence[str] = (LOGGER, *SIMULATED) if record else SIMULATED
         return self.stack.only(names)

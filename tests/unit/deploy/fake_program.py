@@ -67,6 +67,8 @@ def serve():
     active = output.with_name(output.name + ".active") if output else None
     if active:
         active.write_text("log\n")
+        for number in range(2, int(order("files") or 1) + 1):
+            output.with_name(f"{output.stem}-{number}.mcap").write_text("log\n")
     up_file(NAME).write_text(str(os.getpid()))
     while not (stopped and not order("ignore-term")):
         if order("crash"):
@@ -88,6 +90,8 @@ def status():
     all_up = wait_until(lambda: all(up_file(f"scarab-{s}").exists() for s in services),
                         float(value_of("--timeout", "1")))
     if all_up and order("never-ready") is None:
+        if order("document") and "--json" in sys.argv:
+            print(order("document"))
         return 0
     print("a table")
     missing = [s for s in services if not up_file(f"scarab-{s}").exists()] or ["premotor"]
@@ -164,6 +168,15 @@ def worker():
     return 0
 
 
+def log():
+    """Mends a log, and has nothing to export."""
+    if sys.argv[1:2] == ["recover"]:
+        Path(sys.argv[3]).write_text("mended\n")
+        return 0
+    print("header.sim_time_ns")
+    return 1
+
+
 def tool():
     """Ends as it is told to; one told to hold ends as all tools do when they are interrupted."""
     (FOLDER / f"{NAME}.command").write_text("\n".join(sys.argv[1:]))
@@ -187,8 +200,7 @@ def main():
     if NAME in ("scarab-operator", "scarab-sim", "scarab-topic", "scarab-drive"):
         return tool()
     if NAME == "scarab-log":
-        print("header.sim_time_ns")
-        return 1
+        return log()
     return serve()
 
 

@@ -52,7 +52,7 @@ class Changes(FakeStackTest):
     def test_run_refuses_to_change_a_stack_that_is_up(self):
         self.up()
         for words in (["--replicas", "premotor=2"], ["--robot", "beetle"], ["--profile", "sim"],
-                      ["--config", "plant=x.yaml"], ["--tag", "other"], ["--interface", "eth7"]):
+                      ["--config", "plant=x.yaml"], ["--tag", "other"], ["--interface", "eth7"], ["--no-log"]):
             with self.subTest(words=words):
                 code, _, err = self.scarab("run", *self.words, *words)
                 self.assertEqual(code, 2, err)
