@@ -4,11 +4,9 @@
 #include <sstream>
 
 #include "common/bus/idl_parser.hpp"
-#include "common/bus/sample_fields.hpp"
 #include "common/bus/sample_text.hpp"
-#include "common/bus/topics.hpp"
-#include "common/bus/writer.hpp"
 #include "common/mcap/reader.hpp"
+#include "tests/interop/bystander.hpp"
 #include "tests/interop/fastdds/fixture.hpp"
 #include "tests/support/eventually.hpp"
 
@@ -97,37 +95,14 @@ void expect_equal_while_both_listened(const std::string& topic,
   EXPECT_EQ(between(ours, first, last), between(theirs, first, last)) << topic;
 }
 
-class FastDdsEcho : public FastDdsTest {
- protected:
-  FastDdsEcho() {
-    bus::ParticipantOptions options;
-    options.domain = claim_.domain();
-    participant_.emplace(options);
-    operators_.emplace(*participant_, bus::kOperator);
-  }
-
-  /// A word of no consequence: far too old to be obeyed.
-  void say_something() {
-    scarab_Operator word{};
-    word.header.stamp_ns = 1;
-    word.command = scarab_OPERATOR_MODE;
-    word.mode = scarab_MODE_BOXING;
-    word.inputs[3] = -0.1;
-    bus::assign(word.strategy, "soft+hard");
-    bus::assign(word.reason, "\"käfer\" \\ \n");
-    operators_->write(word);
-  }
-
-  std::optional<bus::Participant> participant_;
-  std::optional<bus::Writer<scarab_Operator>> operators_;
-};
+using FastDdsEcho = FastDdsTest;
 
 TEST_F(FastDdsEcho, ReadsEverySampleOfEveryTopicAsTheLoggerRecordsIt) {
   Stack::Options options = on_this_domain();
   options.witness = true;  // the echo, as logger/1
   Stack stack(directory_ / "run", options);
   const auto echo = start_foreign("fastdds-echo", stack, {"--instance", "1"});
-  say_something();
+  const Bystander bystander(claim_);
   auto experiment = stack.conduct(main_trial());
   EXPECT_EQ(experiment.wait(kTrialLimit), 0)
       << experiment.output() << stack.errors() << echo->output();

@@ -1,4 +1,5 @@
 /// A premotor controller on another vendor's DDS in the place of ours.
+#include "tests/interop/bystander.hpp"
 #include "tests/interop/fastdds/fixture.hpp"
 #include "tests/support/inbox.hpp"
 #include "tests/system/trial_log.hpp"
@@ -61,10 +62,8 @@ TEST_F(FastDdsPremotor, DrivesTheRobotThroughAWholeTrialToTheSameBytes) {
 TEST_F(FastDdsPremotor, KilledInTheMiddleItGoesOnWhereItWas) {
   Stack stack(directory_ / "theirs", without_premotor());
   auto premotor = start_premotor(stack);
-  bus::ParticipantOptions options;
-  options.domain = claim_.domain();
-  bus::Participant participant(options);
-  Inbox<scarab_RobotState> states(participant, bus::kRobotState);
+  Bystander bystander(claim_);
+  Inbox<scarab_RobotState> states(bystander.participant(), bus::kRobotState);
   auto experiment = stack.conduct(main_trial());
   constexpr std::uint32_t kTick = 60;
   ASSERT_TRUE(eventually([&] {
