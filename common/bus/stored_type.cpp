@@ -5,7 +5,7 @@
 
 #include "common/bus/cyclone_log.hpp"
 #include "common/bus/error.hpp"
-#include "common/bus/type_model.hpp"
+#include "common/bus/type_object_walker.hpp"
 
 namespace scarab::bus {
 
@@ -58,12 +58,18 @@ StoredType store_type(const dds_topic_descriptor_t& type) {
 
 TopicType restore_type(Participant& participant, const StoredType& stored) {
   const dds_topic_descriptor_t carrier = carrier_of(stored);
-  const std::string name = "type " + stored.name;
+  const auto fail = [&](const std::string& why) {
+    return Error("type " + stored.name + " cannot be restored: " + why);
+  };
+  try {
+    check_type_objects(carrier);
+  } catch (const Error& error) {
+    throw fail(error.what());
+  }
   const CycloneLog log;
   const auto checked = [&](dds_return_t code) {
     if (code >= 0) return code;
-    throw Error(
-        name + ": cannot be restored: " + (log.text().empty() ? dds_strretcode(code) : log.text()));
+    throw fail(log.text().empty() ? dds_strretcode(code) : log.text());
   };
   // A topic of the carrier's brings the type into the domain's type library, where everything else
   // can be asked for; it has no readers or writers, and is gone at the end.

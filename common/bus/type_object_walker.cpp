@@ -1,5 +1,8 @@
 #include "common/bus/type_object_walker.hpp"
 
+#include <dds/ddsi/ddsi_sertype.h>  // what the next one needs and does not include
+#include <dds/ddsi/ddsi_typelib.h>
+#include <dds/ddsi/ddsi_xt_impl.h>
 #include <dds/ddsi/ddsi_xt_typeinfo.h>
 #include <dds/ddsi/ddsi_xt_typemap.h>
 
@@ -179,17 +182,52 @@ TypeRef Walker::enum_type(const DDS_XTypes_CompleteEnumeratedType& from) {
   return make(std::move(out));
 }
 
+/// The two parts of a descriptor's type information.
+struct TypeObjects {
+  explicit TypeObjects(const dds_topic_descriptor_t& descriptor)
+      : information(DDS_XTypes_TypeInformation_desc, metadata_of(descriptor).type_information),
+        map(DDS_XTypes_TypeMapping_desc, descriptor.type_mapping) {}
+
+  static const dds_topic_descriptor_t& metadata_of(const dds_topic_descriptor_t& descriptor) {
+    const bool present = (descriptor.m_flagset & DDS_TOPIC_XTYPES_METADATA) != 0;
+    if (present) return descriptor;
+    throw Error("type " + std::string(descriptor.m_typename) + ": no type information");
+  }
+
+  Decoded<DDS_XTypes_TypeInformation> information;
+  Decoded<DDS_XTypes_TypeMapping> map;
+};
+
+/// True if the objects are those their identifiers say, and the type itself is among them.
+template <class Pairs>
+bool holds(const Pairs& pairs, const DDS_XTypes_TypeIdentifierWithDependencies& type) {
+  const Hash wanted = hash_of(type.typeid_with_size.type_id);
+  bool found = false;
+  for (const auto& pair : elements(pairs)) {
+    ddsi_typeid_t computed{};
+    if (ddsi_typeobj_get_hash_id(&pair.type_object, &computed) != DDS_RETCODE_OK) return false;
+    const Hash hash = hash_of(pair.type_identifier);
+    if (computed.x._d != pair.type_identifier._d || hash_of(computed.x) != hash) return false;
+    found = found || (hash == wanted && computed.x._d == type.typeid_with_size.type_id._d);
+  }
+  return found;
+}
+
 }  // namespace
 
 TypeRef walk_type_objects(const dds_topic_descriptor_t& descriptor) {
-  const std::string name = descriptor.m_typename;
-  if ((descriptor.m_flagset & DDS_TOPIC_XTYPES_METADATA) == 0) {
-    throw Error("type " + name + ": no type information");
-  }
-  const Decoded<DDS_XTypes_TypeInformation> information(DDS_XTypes_TypeInformation_desc,
-                                                        descriptor.type_information);
-  const Decoded<DDS_XTypes_TypeMapping> map(DDS_XTypes_TypeMapping_desc, descriptor.type_mapping);
-  return Walker(name, *map).type_of(information->complete.typeid_with_size.type_id);
+  const TypeObjects found(descriptor);
+  return Walker(descriptor.m_typename, *found.map)
+      .type_of(found.information->complete.typeid_with_size.type_id);
+}
+
+void check_type_objects(const dds_topic_descriptor_t& descriptor) {
+  const TypeObjects found(descriptor);
+  const auto& map = *found.map;
+  const bool whole = holds(map.identifier_object_pair_minimal, found.information->minimal) &&
+                     holds(map.identifier_object_pair_complete, found.information->complete);
+  if (!whole)
+    throw Error("type " + std::string(descriptor.m_typename) + ": damaged type information");
 }
 
 }  // namespace scarab::bus

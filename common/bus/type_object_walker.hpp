@@ -9,4 +9,9 @@ namespace scarab::bus {
 /// TypeModel::from_descriptor.
 TypeRef walk_type_objects(const dds_topic_descriptor_t& descriptor);
 
+/// Throws Error for a descriptor whose type information is damaged: bytes that are none, or type
+/// objects that are not those their identifiers were computed from (7.3.1.2). Cyclone 0.10 believes
+/// what stands in the descriptors it is given, and frees memory twice at some of it.
+void check_type_objects(const dds_topic_descriptor_t& descriptor);
+
 }  // namespace scarab::bus

@@ -1,0 +1,91 @@
+// Every type a user may meet, discovered over the wire by a participant that was not compiled with
+// it.
+#include <gmock/gmock.h>
+#include <wire_types.h>
+
+#include "common/bus/discovery.hpp"
+#include "common/bus/dynamic_sample.hpp"
+#include "common/bus/idl_parser.hpp"
+#include "common/bus/idl_text.hpp"
+#include "common/bus/known_types.hpp"
+#include "common/bus/raw_reader.hpp"
+#include "common/bus/raw_writer.hpp"
+#include "common/bus/sample_text.hpp"
+#include "common/bus/stored_type.hpp"
+#include "tests/integration/types/any_endpoint.hpp"
+#include "tests/integration/types/sample_filler.hpp"
+#include "tests/ros_idl/ros_types.hpp"
+#include "tests/support/test_bus.hpp"
+
+namespace scarab::test {
+namespace {
+
+using std::chrono::seconds;
+
+std::vector<const dds_topic_descriptor_t*> all_types() {
+  std::vector<const dds_topic_descriptor_t*> out = ros_types();
+  for (const std::string& name : bus::known_type_names()) out.push_back(bus::find_known_type(name));
+  out.push_back(&wire_Everything_desc);
+  return out;
+}
+
+struct WireType : testing::TestWithParam<const dds_topic_descriptor_t*> {
+  const dds_topic_descriptor_t& compiled = *GetParam();
+  bus::Participant typed{test_options("typed")};
+  bus::Participant typeless{test_options("typeless")};
+  bus::Discovery discovery{typeless};
+
+  bus::DiscoveredEndpoint discover(const std::string& topic) {
+    bus::DiscoveredEndpoint found;
+    EXPECT_TRUE(eventually([&] {
+      for (const auto& endpoint : discovery.update()) {
+        if (endpoint.topic == topic) found = endpoint;
+      }
+      return !found.topic.empty();
+    }));
+    return found;
+  }
+};
+
+TEST_P(WireType, IsDecodedToTheLastLeaf) {
+  AnyWriter writer(typed, "rt/topic", compiled);
+  const bus::DiscoveredEndpoint found = discover("rt/topic");
+  ASSERT_EQ(found.type, compiled.m_typename);
+  const bus::TopicType type = discovery.type_of(found, seconds(10));
+  const bus::TypeModel model = bus::TypeModel::from_descriptor(*type);
+  bus::RawReader reader(typeless, {found}, type);
+  const FilledSample sample(compiled);
+  writer.write(sample.get());
+  const std::vector<Taken> taken = take_some(reader, 1);
+  ASSERT_EQ(taken.size(), 1U);
+  const bus::Bytes& cdr = taken[0].cdr;
+
+  EXPECT_EQ(bus::json_text(model, cdr), sample.json());
+  const bus::TypeModel parsed = bus::parse_idl(bus::idl_text(model), model.name());
+  EXPECT_EQ(bus::json_text(parsed, cdr), sample.json());
+  EXPECT_EQ(bus::encode_sample(*type, bus::DynamicSample(type, cdr).get()), cdr);
+}
+
+TEST_P(WireType, IsWrittenAgainByWhoNeverKnewIt) {
+  const bus::StoredType stored = bus::store_type(compiled);
+  bus::RawWriter writer(typeless, "rt/topic", bus::restore_type(typeless, stored), kept());
+  AnyReader reader(typed, "rt/topic", compiled);
+  const FilledSample sample(compiled);
+  const bus::Bytes cdr = bus::encode_sample(compiled, sample.get());
+  writer.write(cdr, 1'234'567'890);
+  const std::vector<Taken> taken = take_some(reader, 1);
+  ASSERT_EQ(taken.size(), 1U);
+  EXPECT_EQ(taken[0].cdr, cdr);
+  EXPECT_EQ(taken[0].source_ns, 1'234'567'890);
+}
+
+INSTANTIATE_TEST_SUITE_P(, WireType, testing::ValuesIn(all_types()), [](const auto& type) {
+  std::string name = type.param->m_typename;
+  for (char& c : name) {
+    if (c == ':') c = '_';
+  }
+  return name;
+});
+
+}  // namespace
+}  // namespace scarab::test
