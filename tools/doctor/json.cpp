@@ -42,7 +42,7 @@ std::string topics_of(const Survey& survey, const bus::Guid& participant) {
 
 }  // namespace
 
-std::string json(const Survey& survey, const std::vector<Fault>& faults) {
+std::string json(const Survey& survey, const std::vector<bus::EndpointFault>& faults) {
   std::string participants;
   for (const auto& [guid, participant] : survey.participants) {
     participants += (participants.empty() ? "\n  {" : ",\n  {") +
@@ -50,7 +50,7 @@ std::string json(const Survey& survey, const std::vector<Fault>& faults) {
                     ", \"topics\": " + topics_of(survey, guid) + "}";
   }
   std::string mismatches;
-  for (const Fault& fault : faults) {
+  for (const bus::EndpointFault& fault : faults) {
     mismatches += (mismatches.empty() ? "\n  {" : ",\n  {");
     mismatches += "\"topic\": " + in_json_quotes(fault.writer.topic) +
                   ", \"policy\": " + in_json_quotes(fault.policy) +

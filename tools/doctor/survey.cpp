@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <iostream>
 
-#include "common/bus/idl_text.hpp"
 #include "common/bus/waitset.hpp"
 #include "common/runtime/program.hpp"
 #include "common/runtime/shutdown.hpp"
@@ -27,29 +26,6 @@ Survey seen_by(const bus::Participants& participants, const bus::Discovery& disc
   }
   return survey;
 }
-
-/// The type as IDL, each asked for once.
-class TypeTexts {
- public:
-  explicit TypeTexts(bus::Discovery& discovery) : discovery_(discovery) {}
-
-  std::string operator()(const bus::DiscoveredEndpoint& endpoint) {
-    const auto [entry, fresh] = texts_.try_emplace(endpoint.guid);
-    if (fresh) {
-      try {
-        const bus::TopicType type = discovery_.type_of(endpoint, kTypePatience);
-        entry->second = bus::idl_text(bus::TypeModel::from_descriptor(*type));
-      } catch (const bus::Error&) {
-        // It does not tell its type; its name is all there is to compare.
-      }
-    }
-    return entry->second;
-  }
-
- private:
-  bus::Discovery& discovery_;
-  std::map<bus::Guid, std::string> texts_;
-};
 
 }  // namespace
 
@@ -76,8 +52,10 @@ int look(const runtime::BusOptions& options, std::chrono::milliseconds limit,
     if (enough && !news) break;
   }
   if (shutdown.requested()) return runtime::kExitInterrupted;
-  TypeTexts types(discovery);
-  std::cout << json(survey, faults(survey, [&](const auto& endpoint) { return types(endpoint); }));
+  bus::TypeTexts types(discovery, kTypePatience);
+  const auto faults =
+      bus::endpoint_faults(survey.endpoints, [&](const auto& endpoint) { return types(endpoint); });
+  std::cout << json(survey, faults);
   return runtime::kExitSuccess;
 }
 

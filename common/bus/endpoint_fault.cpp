@@ -1,17 +1,15 @@
-#include <algorithm>
+#include "common/bus/endpoint_fault.hpp"
+
 #include <set>
 #include <sstream>
 #include <utility>
 
 #include "common/bus/compatibility.hpp"
-#include "tools/doctor/survey.hpp"
+#include "common/bus/idl_text.hpp"
 
-namespace scarab::doctor {
+namespace scarab::bus {
+
 namespace {
-
-using bus::DiscoveredEndpoint;
-using bus::EndpointKind;
-using TypeText = std::function<std::string(const DiscoveredEndpoint&)>;
 
 std::vector<std::string> lines_of(const std::string& text) {
   std::istringstream in(text);
@@ -35,7 +33,7 @@ std::string own_member(const std::string& text, const std::string& other) {
 
 /// Two programs of different versions: the same name, not the same fields.
 void compare_types(const DiscoveredEndpoint& writer, const DiscoveredEndpoint& reader,
-                   const TypeText& type_text, std::vector<Fault>& out) {
+                   const TypeText& type_text, std::vector<EndpointFault>& out) {
   if (writer.type != reader.type) {
     out.push_back({writer, reader, "type name", writer.type, reader.type});
     return;
@@ -48,14 +46,15 @@ void compare_types(const DiscoveredEndpoint& writer, const DiscoveredEndpoint& r
 
 }  // namespace
 
-std::vector<Fault> faults(const Survey& survey, const TypeText& type_text) {
-  std::vector<Fault> out;
-  for (const DiscoveredEndpoint& writer : survey.endpoints) {
+std::vector<EndpointFault> endpoint_faults(const std::vector<DiscoveredEndpoint>& endpoints,
+                                           const TypeText& type_text) {
+  std::vector<EndpointFault> out;
+  for (const DiscoveredEndpoint& writer : endpoints) {
     if (writer.kind != EndpointKind::kWriter) continue;
-    for (const DiscoveredEndpoint& reader : survey.endpoints) {
+    for (const DiscoveredEndpoint& reader : endpoints) {
       if (reader.kind != EndpointKind::kReader || reader.topic != writer.topic) continue;
       compare_types(writer, reader, type_text, out);
-      for (bus::Mismatch& found : bus::mismatches(*writer.qos, *reader.qos)) {
+      for (Mismatch& found : mismatches(*writer.qos, *reader.qos)) {
         out.push_back({writer, reader, std::move(found.policy), std::move(found.offered),
                        std::move(found.asked)});
       }
@@ -64,4 +63,17 @@ std::vector<Fault> faults(const Survey& survey, const TypeText& type_text) {
   return out;
 }
 
-}  // namespace scarab::doctor
+std::string TypeTexts::operator()(const DiscoveredEndpoint& endpoint) {
+  const auto [entry, fresh] = texts_.try_emplace(endpoint.guid);
+  if (fresh) {
+    try {
+      const TopicType type = discovery_.type_of(endpoint, patience_);
+      entry->second = idl_text(TypeModel::from_descriptor(*type));
+    } catch (const Error&) {
+      // It does not tell its type; its name is all there is to compare.
+    }
+  }
+  return entry->second;
+}
+
+}  // namespace scarab::bus
