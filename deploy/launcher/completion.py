@@ -62,16 +62,14 @@ def _within(syntax: Syntax, before: List[str], typed: str, values: Values) -> Li
         return _starting_with(typed, [Candidate(o.name, o.note) for o in syntax.options.values()
                                       if o.repeatable or o.name not in given])
     commands = [Candidate(name, note) for name, note in syntax.commands.items()]
-    operand = syntax.operand_after(before)
+    operand = syntax.operand(len(syntax.operands_among(before)))
     return _starting_with(typed, commands) + (values.of(operand, typed) if operand else [])
 
 
 def _of_kind(operand: Argument, verb: str, command: str) -> Argument:
-    """Of a tool. What it calls a name is of the kind its command says, as in `operator strategy NAME`; a file of
-    `log` is a log."""
-    if operand.kind == "name":
-        return replace(operand, kind=command)
-    return replace(operand, kind="log") if verb == "log" and operand.kind == "FILE" else operand
+    """Of a tool. What it calls a name is of the kind its command says, as in `operator strategy NAME`; those of
+    `log` are logs."""
+    return replace(operand, kind="log" if verb == "log" else command if operand.kind == "name" else operand.kind)
 
 
 def _starting_with(typed: str, candidates: Iterable[Candidate]) -> List[Candidate]:

@@ -1,13 +1,14 @@
 """The values of `scarab log`: logs, the topics in one of them, and their fields."""
 
 import csv
+import json
 from typing import Dict, Iterable, List
 
 from .completion_values import Source, paths
 from .hearing import heard
 from .log_files import is_log
 from .places import Places
-from .tool_words import LATEST, log_meant
+from .tool_words import LATEST, logs_meant
 
 _PATIENCE_S = 2.0
 
@@ -29,15 +30,10 @@ class LogValues:
         return [LATEST, *(path for path in paths(start, True) if path.endswith("/") or is_log(path))]
 
     def _topics(self) -> List[str]:
-        """As `scarab-log info` lists them: indented lines below a heading."""
-        _, _, below = self._heard("info").partition("\ntopics\n")
-        lines = iter(below.splitlines())
-        found = []
-        for line in lines:
-            if not line.startswith("  "):
-                break
-            found.append(line.split()[0])
-        return found
+        try:
+            return [topic["topic"] for topic in json.loads(self._heard("info", "--json"))["topics"]]
+        except (ValueError, KeyError, TypeError):
+            return []
 
     def _fields(self) -> List[str]:
         """The heading of the topic's table."""
@@ -49,5 +45,5 @@ class LogValues:
     def _heard(self, command: str, *options: str, first_line: bool = False) -> str:
         if not self._log:
             return ""
-        program, log = str(self._places.program("scarab-log")), log_meant(self._log, self._places)
-        return heard([program, command, log, *options], _PATIENCE_S, first_line)
+        logs = map(str, logs_meant(self._log, self._places) or [self._log])
+        return heard([str(self._places.program("scarab-log")), command, *logs, *options], _PATIENCE_S, first_line)

@@ -2,9 +2,12 @@
 
 import re
 from pathlib import Path
-from typing import List, Tuple
+from typing import List, Sequence, Tuple
+
+from .places import shown
 
 OPEN = ".active"  # behind the name of a file that its recorder has not closed, or not yet
+_FEW = 3
 
 
 def log_files(directory: Path) -> List[Path]:
@@ -29,6 +32,13 @@ def closed_name(log: Path) -> str:
 def is_log(name: str) -> bool:
     """By the end of its name."""
     return name.removesuffix(OPEN).endswith(".mcap")
+
+
+def in_words(logs: Sequence[Path]) -> str:
+    """On one line, however many there are; empty for none."""
+    if len(logs) <= _FEW:
+        return ", ".join([*map(shown, logs[:1]), *(log.name for log in logs[1:])])
+    return f"{shown(logs[0])} to {logs[-1].name}, {len(logs)} files"
 
 
 def _order(name: str) -> Tuple[List[int], str]:

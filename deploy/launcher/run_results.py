@@ -7,12 +7,10 @@ from typing import Sequence
 from .failure import Failure, Interrupted
 from .figure import draw_figure, first_trial
 from .foreground import run_in_front
-from .log_files import closed_name, is_open, log_files
+from .log_files import closed_name, in_words, is_open, log_files
 from .places import Places, shown
 from .run_directory import RunDirectory
 from .signals import Signals
-
-_FEW = 3
 
 
 def mend_log(places: Places, directory: RunDirectory, signals: Signals) -> None:
@@ -47,7 +45,7 @@ def figure_of(places: Places, directory: RunDirectory, stack_directory: RunDirec
 def say_where(directory: RunDirectory, stack_directory: RunDirectory, lacks: Sequence[str] = ()) -> None:
     """`lacks` says what of the samples is not in the log."""
     lines = [("run", _existing(directory.path)),
-             ("log", _all_of(log_files(stack_directory.path))),
+             ("log", in_words(log_files(stack_directory.path))),
              ("log lacks", "; ".join(lacks)),
              ("results", _existing(directory.results)),
              ("figure", _existing(directory.path / "figure7.svg")),
@@ -60,10 +58,3 @@ def say_where(directory: RunDirectory, stack_directory: RunDirectory, lacks: Seq
 
 def _existing(path: Path) -> str:
     return shown(path) if path.exists() else ""
-
-
-def _all_of(logs: Sequence[Path]) -> str:
-    """On one line, however many there are."""
-    if len(logs) <= _FEW:
-        return ", ".join([shown(logs[0]), *(log.name for log in logs[1:])]) if logs else ""
-    return f"{shown(logs[0])} to {logs[-1].name}, {len(logs)} files"

@@ -45,10 +45,9 @@ class Syntax:
             value_follows = option is not None and option.takes_value
         return found
 
-    def operand_after(self, words: Sequence[str]) -> Optional[Argument]:
-        """The operand that comes next; the last one may come again."""
-        count = len(self.operands_among(words))
-        return self.operands[min(count, len(self.operands) - 1)] if self.operands else None
+    def operand(self, number: int) -> Optional[Argument]:
+        """Counted from 0; the last one may come again."""
+        return self.operands[min(number, len(self.operands) - 1)] if self.operands else None
 
 
 def syntax_of_parser(parser: argparse.ArgumentParser) -> Syntax:
@@ -91,4 +90,4 @@ def _from_help(name: str, value: str, note: str) -> Argument:
     choices = _CHOICES.search(value)
     kind = "FILE" if "FILE" in value else "DIR" if "DIR" in value else name.lstrip("-")
     return Argument(name, kind, tuple(choices[1].split(",")) if choices else (), bool(value),
-                    value.endswith("..."), note)
+                    "..." in value.split(), note)

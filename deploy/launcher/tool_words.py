@@ -2,11 +2,12 @@
 
 import sys
 from pathlib import Path
-from typing import List, Optional
+from typing import List
 
 from .failure import Failure, UsageError
-from .log_files import is_log, log_files
+from .log_files import in_words, is_log, log_files
 from .places import Places, shown
+from .syntax import Argument
 from .tool_syntax import tool_syntax
 
 LATEST = "latest"
@@ -20,28 +21,39 @@ def log_words(words: List[str], places: Places) -> List[str]:
     if words and _looks_like_a_log(words[0]):
         raise UsageError(f"scarab log: {words[0]} is a log, not a command: say what to do with it, such as "
                          f"deploy/scarab log info {words[0]}")
-    if not any(_directory_of(word, places) for word in words[1:]):
+    if not any(logs_meant(word, places) for word in words[1:]):
         return words
     syntax, begin = tool_syntax(places.program("scarab-log"), words)
-    said = list(words)
-    for index in syntax.operands_among(words[begin:]) if begin else ():
-        said[begin + index] = log_meant(words[begin + index], places, tell=True)
+    if not begin:
+        return words
+    said, operands = words[:begin], syntax.operands_among(words[begin:])
+    for index, word in enumerate(words[begin:]):
+        operand = syntax.operand(operands.index(index)) if index in operands else None
+        said += _logs_of(operand, word, places) if operand else [word]
     return said
 
 
-def log_meant(word: str, places: Places, tell: bool = False) -> str:
-    """The path of the log that a word stands for: of the newest file, where there are several. `tell` says on stderr
-    which one that is. Failure where there is none."""
-    directory = _directory_of(word, places)
-    if directory is None:
-        return word
-    files = log_files(directory)
+def _logs_of(operand: Argument, word: str, places: Places) -> List[str]:
+    """All the files of a log, or their directory where the operand is one word; says on stderr which they are."""
+    files = logs_meant(word, places)
     if not files:
-        raise Failure(f"there is no log in {shown(directory)}")
-    if tell:
-        others = f", the last of its {len(files)} files" if len(files) > 1 else ""
-        print(f"scarab: {shown(files[-1])}{others}", file=sys.stderr, flush=True)
-    return shown(files[-1])
+        return [word]
+    print(f"scarab: {in_words(files)}", file=sys.stderr, flush=True)
+    if operand.repeatable or len(files) == 1:
+        return list(map(shown, files))
+    return [shown(files[0].parent)]
+
+
+def logs_meant(word: str, places: Places) -> List[Path]:
+    """The files that a word stands for which is the directory of a run, or `latest`; none for any other word. Failure
+    where the newest run has no log."""
+    if word == LATEST and not Path(word).exists():
+        newest = (places.runs / LATEST).resolve()
+        files = log_files(newest)
+        if not files:
+            raise Failure(f"there is no log in {shown(newest)}")
+        return files
+    return log_files(Path(word).resolve()) if not word.startswith("-") and Path(word).is_dir() else []
 
 
 def topic_words(words: List[str], places: Places) -> List[str]:
@@ -54,10 +66,3 @@ def topic_words(words: List[str], places: Places) -> List[str]:
 
 def _looks_like_a_log(word: str) -> bool:
     return word == LATEST or is_log(word)
-
-
-def _directory_of(word: str, places: Places) -> Optional[Path]:
-    """The one whose log the word stands for; None for any other word."""
-    if word == LATEST and not Path(word).exists():
-        return (places.runs / LATEST).resolve()
-    return Path(word).resolve() if not word.startswith("-") and Path(word).is_dir() else None

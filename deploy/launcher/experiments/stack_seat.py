@@ -7,6 +7,7 @@ from typing import List, Optional
 from ..domain_claim import claim_domain
 from ..keeper_events import Event, event_line
 from ..launch import Checked, Launched, begin
+from ..log_files import is_open, log_files
 from ..places import Places
 from ..running_stack import Kind, end_leftovers
 from ..signals import Signals
@@ -110,9 +111,13 @@ class StackSeat:
 
     def _keep_log(self) -> None:
         """It is whole once the logger has been stopped."""
-        log = self._launched.run.directory.path / "trial.mcap"
+        place = self._launched.run.directory.path
         self._worker.finish(_PATIENCE_S)
         self.clear()
-        if not log.is_file():
-            raise Fault(f"the logger of its stack left no whole log {log}")
-        os.replace(log, self._directory.log_of(self._trial))
+        files = log_files(place)
+        if not files or any(map(is_open, files)):
+            raise Fault(f"the logger of its stack left no whole log in {place}")
+        if len(files) > 1:
+            raise Fault(f"the logger of its stack left {len(files)} files in {place}: an experiment's trial is one file, "
+                        "so that its logger may not split the log")
+        os.replace(files[0], self._directory.log_of(self._trial))

@@ -98,11 +98,11 @@ class Stack(DoctorCase):
         log.touch()
         os.truncate(log, free.f_bavail * free.f_frsize // 3)  # a sparse file: only its length counts
         what, advice = self.only("note", "storage")
-        self.assertRegex(what, r"are free, and the log of .* grows by .*B an hour: the disk is full in "
+        self.assertRegex(what, r"are free, and the log of .* grows by .*B an hour: its logger stops in "
                                r"\d\.\d h$")
         self.assertIn("deploy/scarab down", advice)
         os.truncate(log, free.f_bavail * free.f_frsize * 2)
-        self.assertRegex(self.only("problem", "storage")[0], r"the disk is full in 0\.\d h$")
+        self.assertRegex(self.only("problem", "storage")[0], r"its logger stops in 0\.\d h$")
 
     @staticmethod
     def alive(pid):

@@ -48,7 +48,7 @@ LOG_COMMAND_HELP = """print samples as YAML
 Usage: scarab-log cat [OPTIONS] file
 
 Positionals:
-  file FILE REQUIRED          the log
+  file FILE ... REQUIRED      the log
 
 Options:
   -n INT                      how many
@@ -56,14 +56,7 @@ Options:
   --field TEXT ...            a column, or the beginning of several
   --output FILE               where to
 """
-LOG_INFO = """trial.mcap
-  messages     3
-topics
-  scarab/behaviour          scarab::Behaviour                 2       3.9/s
-  rt/joint_states           sensor_msgs::msg::dds_::JointState_  1    1.0/s
-scarab.recording
-  host         beetle
-"""
+LOG_INFO = {"topics": [{"topic": "scarab/behaviour", "messages": 2}, {"topic": "rt/joint_states"}]}
 COMMAND_HELP = """print the samples of a topic as YAML
 Usage: scarab-topic echo [OPTIONS] topic
 
@@ -155,8 +148,8 @@ class Room(unittest.TestCase):
             *) cat <<'X'\n{TOOL_HELP}\nX\n;; esac""")
         self.program("scarab-log", f"""case "$*" in
             *--help) [ $1 = --help ] && cat <<'X' || cat <<'Y'\n{LOG_HELP}\nX\n{LOG_COMMAND_HELP}\nY\n;;
-            info*/trial-2.mcap.active) cat <<'X'\n{LOG_INFO}\nX\n;;
-            export*/trial-2.mcap.active\ --topic\ scarab/behaviour*) echo 'header.tick,mode'; echo 1,2; exec sleep 9 ;;
+            info*/trial.mcap*/trial-2.mcap.active\ --json) echo '{json.dumps(LOG_INFO)}' ;;
+            export*/trial.mcap*/trial-2.mcap.active\ --topic\ scarab/behaviour*) echo 'header.tick,mode'; echo 1,2; exec sleep 9 ;;
             *) exit 2 ;; esac""")
         # The supervisor alone knows its strategies; this one says what is in its file.
         self.program("scarab-supervisor", 'while [ "$1" != --config ]; do shift; done; cat "$2"')

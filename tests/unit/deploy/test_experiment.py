@@ -55,6 +55,14 @@ class Runs(ExperimentTest):
                              [f"trial-{n}.mcap" for n in range(4)])
         self.assertEqual(self.living(), [])
 
+    def test_trial_whose_log_is_split_is_refused_with_the_reason(self):
+        self.file.write_text(EXPERIMENT.replace("trials: 3", "trials: 1\nrecord: true"))
+        self.order("scarab-logger", "files", "3")
+        code, _, err = self.experiment("--stacks", "1")
+        self.assertEqual(code, 1)
+        self.assertRegex(err, r"left 3 files in .*: an experiment's trial is one file")
+        self.assertEqual(list(self.out.glob("*.mcap*")), [])
+
     def test_dead_worker_is_replaced_and_its_trial_run_again(self):
         whole = self.uninterrupted()
         for word in ("die", "error", "nonsense"):

@@ -14,11 +14,18 @@ case "$*" in
 Subcommands:
   info                        what a log holds
   attachments                 list the attached files
+  diff                        whether two logs are the same
+X
+  ;;
+  diff*--help) cat <<'X'
+Positionals:
+  a A REQUIRED                one log
+  b B REQUIRED                the other
 X
   ;;
   *--help) cat <<'X'
 Positionals:
-  file FILE REQUIRED          the log
+  file FILE ... REQUIRED      the log; of several, all are read as one
 
 Options:
   --extract DIR               write them below this folder
@@ -69,11 +76,14 @@ class ToolWords(unittest.TestCase):
         self.assertEqual((code, said), (3, ["info", "runs/2026-01-01-2/trial.mcap"]), err)
         self.assertEqual(err, f"scarab: {newest.relative_to(self.room)}/trial.mcap\n")
 
-    def test_of_several_files_it_is_the_last(self):
-        self.run_with("2026-01-01-1", "trial.mcap", "trial-2.mcap", "trial-10.mcap.active", "trial-9.mcap")
+    def test_of_several_files_all_are_meant(self):
+        names = ("trial.mcap", "trial-2.mcap", "trial-9.mcap", "trial-10.mcap.active")
+        directory = self.run_with("2026-01-01-1", *names)
         code, said, err = self.scarab("log", "info", "latest")
-        self.assertEqual((code, said[1]), (3, "runs/2026-01-01-1/trial-10.mcap.active"))
-        self.assertIn("the last of its 4 files", err)
+        self.assertEqual((code, said), (3, ["info", *(f"runs/2026-01-01-1/{name}" for name in names)]))
+        self.assertEqual(err, "scarab: runs/2026-01-01-1/trial.mcap to trial-10.mcap.active, 4 files\n")
+        said = self.scarab("log", "diff", "latest", "b.mcap")[1]  # which takes one word for each of two logs
+        self.assertEqual(said, ["diff", f"runs/{directory.name}", "b.mcap"])
 
     def test_log_of_trials_on_a_stack_that_is_up_is_the_stacks(self):
         stack = self.run_with("2026-01-01-1", "trial.mcap.active")
