@@ -118,6 +118,6 @@ class StackSeat:
         if not files or any(map(is_open, files)):
             raise Fault(f"the logger of its stack left no whole log in {place}")
         if len(files) > 1:
-            raise Fault(f"the logger of its stack left {len(files)} files in {place}: an experiment's trial is one file, "
-                        "so that its logger may not split the log")
+            raise Fault(f"the logger of its stack left {len(files)} files in {place}: an experiment's trial is one "
+                        "file, so that its logger may not split the log")
         os.replace(files[0], self._directory.log_of(self._trial))

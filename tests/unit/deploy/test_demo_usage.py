@@ -18,7 +18,8 @@ GOOD = (["--height", "0.10"], ["--height=.08"], ["--height", "0"], ["--strategy"
         ["--seed", "18446744073709551615"], ["--trials", "10", "--no-perturbation"],
         ["--goal", "travel", "--distance", "1e0"], ["--goal=walk", "--height", "0"],
         ["--perturb-position", "0", "--perturb-yaw", "3.14", "--perturb-friction", ".25"],
-        ["--friction-scale", "1.25", "--object-mass", "3", "--object-diameter", "0.22"], ["--domain", "7"], ["--realtime", "--no-log"],
+        ["--friction-scale", "1.25", "--object-mass", "3", "--object-diameter", "0.22"], ["--domain", "7"],
+        ["--realtime", "--no-log"],
         ["--lockstep", "--robot", "beetle"], ["--replicas", "premotor=2"],
         ["--replicas=premotor=2,supervisor=1"], ["--interface", "lo"], ["--profile", "control-host"],
         ["--config", f"plant={SOURCE_ROOT}/config/plant/beetle.yaml"])

@@ -32,7 +32,7 @@ class LogFiles(unittest.TestCase):
         return [log.name for log in log_files(self.room)]
 
     def test_they_are_in_the_order_of_writing(self):
-        for name in ("trial-10.mcap", "trial-2.mcap", "trial.mcap", "trial-11.mcap.active", "results.csv", "trial.lock"):
+        for name in ("trial-10.mcap", "trial-2.mcap", "trial.mcap", "trial-11.mcap.active", "results.csv", "trial.log"):
             self.write(name)
         self.assertEqual(self.names(), ["trial.mcap", "trial-2.mcap", "trial-10.mcap", "trial-11.mcap.active"])
         self.assertEqual([is_open(log) for log in log_files(self.room)], [False, False, False, True])

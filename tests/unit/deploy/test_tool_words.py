@@ -93,8 +93,9 @@ class ToolWords(unittest.TestCase):
 
     def test_directory_stands_for_its_log_and_an_options_does_not(self):
         directory = self.run_with("2026-01-01-1", "trial.mcap")
-        code, said, err = self.scarab("log", "attachments", str(directory), "--extract", str(directory))
-        self.assertEqual((code, said), (3, ["attachments", "runs/2026-01-01-1/trial.mcap", "--extract", str(directory)]))
+        code, said, _ = self.scarab("log", "attachments", str(directory), "--extract", str(directory))
+        self.assertEqual((code, said), (3, ["attachments", "runs/2026-01-01-1/trial.mcap",
+                                            "--extract", str(directory)]))
 
     def test_file_of_that_name_is_meant_itself(self):
         self.run_with("2026-01-01-1", "trial.mcap")
