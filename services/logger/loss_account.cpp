@@ -10,20 +10,15 @@ void LossAccount::note(const SampleBatch& batch) {
   }
 }
 
-std::vector<std::string> LossAccount::in_words() const {
-  std::vector<std::string> words;
-  const auto add = [&](std::uint64_t Loss::*count, const std::string& how) {
-    if (total_.*count == 0) return;
-    std::string topics;
-    for (const auto& [topic, loss] : by_topic_) {
-      if (loss.*count == 0) continue;
-      topics += (topics.empty() ? "" : ", ") + topic + " " + std::to_string(loss.*count);
-    }
-    words.push_back(std::to_string(total_.*count) + " samples " + how + " (" + topics + ")");
-  };
-  add(&Loss::dropped, "dropped: written too slowly");
-  add(&Loss::lost, "lost by the bus");
-  return words;
+std::string LossAccount::dropped_in_words() const {
+  if (total_.dropped == 0) return "";
+  std::string topics;
+  for (const auto& [topic, loss] : by_topic_) {
+    if (loss.dropped == 0) continue;
+    topics += (topics.empty() ? "" : ", ") + topic + " " + std::to_string(loss.dropped);
+  }
+  return std::to_string(total_.dropped) + " samples dropped (" + topics +
+         "): they came faster than they could be written";
 }
 
 }  // namespace scarab::logger

@@ -15,8 +15,8 @@ class LossAccount {
   void note(const SampleBatch& batch);
 
   const Loss& total() const { return total_; }
-  /// `17 samples dropped (a/topic 12, b/topic 5)`, and the same of those the bus lost.
-  std::vector<std::string> in_words() const;
+  /// `17 samples dropped (a/topic 12, b/topic 5)`; empty when none was.
+  std::string dropped_in_words() const;
 
  private:
   std::vector<std::string> topics_;  // by channel

@@ -28,8 +28,10 @@ class Recording {
 
   /// Hands a batch over, whether there is room or not: ask first. After a failure it is dropped.
   void push(SampleBatch&& batch) { queue_.push(std::move(batch)); }
-  /// The writer thread is too far behind.
+  /// The writer thread is too far behind: what waits for it has reached the limit.
   bool full() const { return queue_.full(); }
+  /// Bytes of samples that wait for it.
+  std::size_t queued_bytes() const { return queue_.size_bytes(); }
   /// False: still full after `timeout`.
   bool wait_for_room(std::chrono::nanoseconds timeout) { return queue_.wait_for_room(timeout); }
   /// What is in the files, and in the open chunk.

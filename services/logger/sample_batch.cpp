@@ -4,12 +4,16 @@
 
 namespace scarab::logger {
 
-void SampleBatch::drop_samples() {
-  for (const Entry& entry : entries_) {
-    ++losses_[entry.channel].dropped;
+void SampleBatch::drop_samples(const std::function<bool(std::uint32_t channel)>& keep) {
+  const auto entries = std::exchange(entries_, {});
+  const auto all_bytes = std::exchange(bytes_, {});
+  for (const Entry& entry : entries) {
+    if (keep(entry.channel)) {
+      add(entry, mcap::ByteView(all_bytes).slice(entry.begin, entry.size));
+    } else {
+      ++losses_[entry.channel].dropped;
+    }
   }
-  entries_ = {};
-  bytes_ = {};
 }
 
 void SampleBatch::absorb(SampleBatch&& later) {

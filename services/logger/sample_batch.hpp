@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <functional>
 #include <map>
 #include <string>
 #include <utility>
@@ -12,7 +13,8 @@ namespace scarab::logger {
 
 /// What a topic means to the recorder beyond its bytes.
 enum class TopicRole {
-  kNone,
+  kNone,      ///< somebody else's: nobody waits for its being recorded
+  kChain,     ///< one of the project's own
   kProgress,  ///< its samples say how far the trial has been recorded: scarab/robot_state
   kTrial,     ///< its samples announce trials: scarab/trial
 };
@@ -60,8 +62,8 @@ class SampleBatch {
   }
   void add_loss(std::uint32_t channel, const Loss& loss) { losses_[channel] += loss; }
 
-  /// Lets go of the samples and keeps their number: what is left of a batch there is no room for.
-  void drop_samples();
+  /// Lets go of the samples of all channels but those to `keep`, and counts them as dropped.
+  void drop_samples(const std::function<bool(std::uint32_t channel)>& keep);
   /// Takes over the channels and losses of a batch without samples.
   void absorb(SampleBatch&& later);
 

@@ -2,6 +2,7 @@
 
 #include <chrono>
 #include <csignal>
+#include <optional>
 #include <thread>
 
 #include "common/runtime/shutdown.hpp"
@@ -22,6 +23,7 @@ class Recorder {
   Recorder(bus::Participant& participant, const LoggerOptions& options, const LoggerConfig& config)
       : needed_(chain_writers(options.service.expect)),
         take_interval_(config.take_interval_s),
+        most_queued_bytes_((config.queue_mib << 20U) + kChainBytes),
         stop_guard_(participant),
         news_guard_(participant),
         wait_set_(participant),
@@ -36,13 +38,7 @@ class Recorder {
 
   void run() {
     while (!shutdown_.requested() && !recording_.failed()) {
-      if (must_hold()) {
-        recording_.wait_for_room(kHold);
-      } else {
-        wait_set_.wait(next_wake_up());
-      }
-      news_guard_.clear();
-      const bool took = !must_hold() && record();
+      const bool took = may_take() && record();
       check_readiness();
       report();
       if (took) {
@@ -55,7 +51,10 @@ class Recorder {
 
  private:
   static constexpr std::chrono::milliseconds kPeerPoll{5};
-  static constexpr std::chrono::milliseconds kHold{20};
+  static constexpr std::chrono::milliseconds kHoldPoll{20};
+  static constexpr std::chrono::seconds kLongestHold{1};
+  /// 64 ticks of the chain are about 1 MiB.
+  static constexpr std::size_t kChainBytes = std::size_t{16} << 20U;
   static constexpr std::chrono::seconds kPatience{1};
 
   std::chrono::nanoseconds next_wake_up() const {
@@ -65,23 +64,44 @@ class Recorder {
                            : until_report;
   }
 
-  /// The queue is full, and the stack waits for what is in it: samples stay with the bus.
-  bool must_hold() const {
-    return recording_.full() && watch_.in_lockstep(recording_.state().progress);
+  /// Waits for news. False: the queue is full and the stack waits for what is in it, so samples
+  /// stay with the bus; but not for long, as not everybody may be waiting.
+  bool may_take() {
+    if (recording_.full() && watch_.in_lockstep(Clock::now())) {
+      if (!held_since_) held_since_ = Clock::now();
+      if (!recording_.wait_for_room(kHoldPoll) && Clock::now() - *held_since_ < kLongestHold) {
+        return false;
+      }
+    } else {
+      wait_set_.wait(next_wake_up());
+    }
+    held_since_.reset();
+    news_guard_.clear();
+    return true;
   }
 
   bool record() {
     SampleBatch batch = topics_.take();
     if (batch.empty()) return false;
     const bool took = !batch.entries().empty();
-    watch_.note(batch);
-    // In lockstep the one batch goes in beyond the limit: what it says was not known before.
-    if (recording_.full() && !watch_.in_lockstep(recording_.state().progress)) {
-      batch.drop_samples();
+    const bool was_in_lockstep = watch_.in_lockstep(Clock::now());
+    watch_.note(batch, Clock::now());
+    if (recording_.full()) {
+      drop_from(batch, was_in_lockstep || watch_.in_lockstep(Clock::now()));
     }
     losses_.note(batch);
     recording_.push(std::move(batch));
     return took;
+  }
+
+  /// Nothing of a chain that waits: the bound is not reached by what it can be ahead. The trial's
+  /// own sample is kept always: there is one a trial.
+  void drop_from(SampleBatch& batch, bool in_lockstep) {
+    const bool keep_chain = in_lockstep && recording_.queued_bytes() < most_queued_bytes_;
+    batch.drop_samples([&](std::uint32_t channel) {
+      const TopicRole role = watch_.role_of(channel);
+      return role == TopicRole::kTrial || (keep_chain && role != TopicRole::kNone);
+    });
   }
 
   void check_readiness() {
@@ -109,9 +129,18 @@ class Recorder {
       faults_checked_ = {};
     } else if (trial_ == status_.ready_trial() && Clock::now() - faults_checked_ > kFaultPeriod) {
       faults_checked_ = Clock::now();
+      count_losses();
       status_.works(state, losses_, topics_.faults());
     }
     status_.publish_if_due();
+  }
+
+  /// Those of the bus.
+  void count_losses() {
+    SampleBatch batch = topics_.losses();
+    if (batch.empty()) return;
+    losses_.note(batch);
+    recording_.push(std::move(batch));
   }
 
   /// The farewell is recorded too; then what is still on its way, until the topics are silent. A
@@ -127,11 +156,13 @@ class Recorder {
       record();
     }
     record();
+    count_losses();
     recording_.close();
   }
 
   std::vector<ChainWriter> needed_;
   std::chrono::duration<double> take_interval_;
+  std::size_t most_queued_bytes_;
   bus::Guard stop_guard_;
   bus::Guard news_guard_;
   bus::WaitSet wait_set_;
@@ -142,6 +173,7 @@ class Recorder {
   Recording recording_;
   runtime::Shutdown shutdown_;
 
+  std::optional<Clock::time_point> held_since_;
   std::uint32_t trial_ = 0;
   Clock::time_point trial_since_{};
   Clock::time_point faults_checked_{};

@@ -2,36 +2,35 @@
 
 #include <algorithm>
 
+#include "services/logger/core/sample_header.hpp"
+
 namespace scarab::logger {
 
-void StackWatch::note(const SampleBatch& batch) {
-  for (const ChannelSpec& spec : batch.channels()) {
-    if (spec.role != TopicRole::kNone) roles_[channel_count_] = spec.role;
-    ++channel_count_;
-  }
-  if (roles_.empty()) return;
+void StackWatch::note(const SampleBatch& batch, Clock::time_point now) {
+  for (const ChannelSpec& spec : batch.channels()) roles_.push_back(spec.role);
   for (const SampleBatch::Entry& entry : batch.entries()) {
-    const auto role = roles_.find(entry.channel);
-    if (role != roles_.end()) note(role->second, batch.bytes(entry));
+    const TopicRole role = roles_.at(entry.channel);
+    if (role == TopicRole::kProgress || role == TopicRole::kTrial) {
+      note(role, batch.bytes(entry), now);
+    }
   }
 }
 
-void StackWatch::note(TopicRole role, mcap::ByteView bytes) {
+void StackWatch::note(TopicRole role, mcap::ByteView bytes, Clock::time_point now) {
   const auto header = read_sample_header(bytes.data(), bytes.size());
   if (!header) return;
   if (role == TopicRole::kTrial) {
     trial_ = std::max(trial_, header->trial);
   } else if (const auto flags = read_state_flags(bytes.data(), bytes.size())) {
-    newest_state_ = *header;
+    state_trial_ = header->trial;
     flags_ = *flags;
+    if (flags_.over) over_since_ = now;
   }
 }
 
-bool StackWatch::in_lockstep(const RecordedProgress& recorded) const {
-  if (flags_.real_time || newest_state_.trial != trial_) return false;
-  const bool recorded_to_its_end =
-      flags_.over && recorded.trial() == trial_ && recorded.tick() >= newest_state_.tick;
-  return !recorded_to_its_end;
+bool StackWatch::in_lockstep(Clock::time_point now) const {
+  const bool over = flags_.over && now - over_since_ > kAftermath;
+  return !flags_.real_time && state_trial_ == trial_ && !over;
 }
 
 }  // namespace scarab::logger

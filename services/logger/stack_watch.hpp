@@ -1,9 +1,9 @@
 #pragma once
 
+#include <chrono>
 #include <cstdint>
-#include <map>
+#include <vector>
 
-#include "services/logger/core/recorded_progress.hpp"
 #include "services/logger/core/state_flags.hpp"
 #include "services/logger/sample_batch.hpp"
 
@@ -13,21 +13,27 @@ namespace scarab::logger {
 /// waits for the recorder.
 class StackWatch {
  public:
-  void note(const SampleBatch& batch);
+  using Clock = std::chrono::steady_clock;
+
+  void note(const SampleBatch& batch, Clock::time_point now);
 
   /// The one announced last; 0 before the first.
   std::uint32_t trial() const { return trial_; }
-  /// The trial runs in lockstep and is not recorded to its end: who waits now loses nothing.
-  bool in_lockstep(const RecordedProgress& recorded) const;
+  /// A trial runs whose tick master waits for the recorder, or has just ended: answers to its last
+  /// tick may be on their way.
+  bool in_lockstep(Clock::time_point now) const;
+  TopicRole role_of(std::uint32_t channel) const { return roles_.at(channel); }
 
  private:
-  void note(TopicRole role, mcap::ByteView bytes);
+  static constexpr std::chrono::seconds kAftermath{1};
 
-  std::uint32_t channel_count_ = 0;
-  std::map<std::uint32_t, TopicRole> roles_;  // of channels that have one
+  void note(TopicRole role, mcap::ByteView bytes, Clock::time_point now);
+
+  std::vector<TopicRole> roles_;  // by channel
   std::uint32_t trial_ = 0;
-  SampleHeader newest_state_;
+  std::uint32_t state_trial_ = 0;  // of the newest robot_state
   StateFlags flags_{false, true};
+  Clock::time_point over_since_{};
 };
 
 }  // namespace scarab::logger

@@ -36,8 +36,7 @@ void StatusReport::held_up(const std::string& obstacle) {
 
 void StatusReport::works(const RecordingState& state, const LossAccount& losses,
                          std::vector<std::string> faults) {
-  const auto lost = losses.in_words();
-  faults.insert(faults.end(), lost.begin(), lost.end());
+  if (losses.total().dropped > 0) faults.insert(faults.begin(), losses.dropped_in_words());
   if (state.progress.missed_ticks() > 0) {
     faults.push_back(std::to_string(state.progress.missed_ticks()) +
                      " ticks of robot_state missed");

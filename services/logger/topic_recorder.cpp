@@ -4,31 +4,16 @@
 
 #include <algorithm>
 #include <set>
+#include <utility>
 
+#include "common/bus/delivery_loss.hpp"
 #include "common/bus/error.hpp"
-#include "common/bus/idl_text.hpp"
-#include "common/bus/topics.hpp"
-#include "common/bus/type_model.hpp"
+#include "services/logger/channel_facts.hpp"
 
 namespace scarab::logger {
 namespace {
 
 using Clock = std::chrono::steady_clock;
-
-/// The IDL for the log; a type that the log's readers could not take is recorded as bytes alone.
-std::string schema_text(const bus::TopicType& type, const std::string& topic) {
-  try {
-    return bus::idl_text(bus::TypeModel::from_descriptor(*type));
-  } catch (const bus::Error& error) {
-    spdlog::warn("{} is recorded without a schema: {}", topic, error.what());
-    return "";
-  }
-}
-
-TopicRole role_of(const std::string& topic) {
-  if (topic == bus::kRobotState.name) return TopicRole::kProgress;
-  return topic == bus::kTrial.name ? TopicRole::kTrial : TopicRole::kNone;
-}
 
 }  // namespace
 
@@ -69,11 +54,7 @@ void TopicRecorder::add_topic(const bus::DiscoveredEndpoint& writer, SampleBatch
     Topic topic;
     topic.reader = std::make_unique<bus::RawReader>(participant_, writers, type);
     topic.channel = static_cast<std::uint32_t>(topics_.size());
-    batch.add_channel({writer.topic,
-                       writer.type,
-                       schema_text(type, writer.topic),
-                       role_of(writer.topic),
-                       {{"type", writer.type}}});
+    batch.add_channel(describe_channel(writers, type));
     wait_set_.attach(*topic.reader);
     topics_.emplace(writer.topic, std::move(topic));
     newest_reader_ = Clock::now();
@@ -131,6 +112,16 @@ std::vector<std::string> TopicRecorder::missing(const std::vector<ChainWriter>& 
     }
   }
   return missing;
+}
+
+SampleBatch TopicRecorder::losses() {
+  SampleBatch batch;
+  for (auto& [name, topic] : topics_) {
+    const bus::DeliveryLoss loss = bus::delivery_loss(*topic.reader);
+    const std::uint64_t known = std::exchange(topic.known_lost, loss.lost + loss.rejected);
+    if (topic.known_lost > known) batch.add_loss(topic.channel, {0, topic.known_lost - known});
+  }
+  return batch;
 }
 
 std::vector<std::string> TopicRecorder::faults() const {

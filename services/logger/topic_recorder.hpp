@@ -25,10 +25,13 @@ class TopicRecorder {
   /// Looks for new topics and takes every sample that waits, as one batch.
   SampleBatch take();
 
+  /// A batch without samples: those the bus has said were lost or rejected since the last call.
+  SampleBatch losses();
+
   /// Writers of the chain that no reader here is matched with yet, as `plant/0 to write
   /// scarab/robot_state`. A match counts once it is kHandshake old, for whatever topic.
   std::vector<std::string> missing(const std::vector<ChainWriter>& needed);
-  /// What keeps topics, or some of their samples, out of the log; empty when all is well.
+  /// What keeps topics out of the log; empty when all is well.
   std::vector<std::string> faults() const;
 
  private:
@@ -36,6 +39,7 @@ class TopicRecorder {
     std::unique_ptr<bus::RawReader> reader;
     std::uint32_t channel = 0;
     std::uint32_t next_sequence = 0;
+    std::uint64_t known_lost = 0;  // of the bus, as of the last losses()
   };
   /// A topic whose type could not be found out yet.
   struct Unknown {

@@ -5,7 +5,8 @@
 namespace scarab::logger {
 
 /// Decides when a disk is too full to be written to, and when there is room again. What was stopped
-/// goes on only with an eighth more than the limit free, so that the two do not alternate.
+/// goes on only with an eighth more than the limit free, at most 32 MiB, so that the two do not
+/// alternate.
 class DiskGuard {
  public:
   /// `keep_free_bytes` are to stay free; 0: there is always room.

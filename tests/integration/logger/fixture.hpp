@@ -45,6 +45,16 @@ inline Samples read_samples(const std::filesystem::path& path) {
   return samples;
 }
 
+/// The metadata records of a log by name; the last of each.
+inline std::map<std::string, std::map<std::string, std::string>> read_metadata(
+    const mcap::Reader& reader) {
+  std::map<std::string, std::map<std::string, std::string>> metadata;
+  for (const auto& index : reader.summary().metadata) {
+    metadata[index.name] = reader.metadata(index).entries;
+  }
+  return metadata;
+}
+
 /// The real recorder and a participant that plays the stack around it, alone on a discovery tag.
 class LoggerTest : public testing::Test {
  protected:

@@ -149,9 +149,12 @@ TEST_F(Record, AttachesTheNamedFilesAndTheRunsConfiguration) {
   }
   EXPECT_EQ(attached, (std::map<std::string, std::string>{{"config/plant.yaml", "step_s: 1\n"},
                                                           {"note.txt", "hello"}}));
-  ASSERT_EQ(reader.summary().metadata.size(), 2U);
-  EXPECT_EQ(reader.metadata(reader.summary().metadata[0]).entries.count("version"), 1U);
-  EXPECT_EQ(reader.metadata(reader.summary().metadata[1]).entries.count("trials"), 1U);
+  const auto metadata = read_metadata(reader);
+  EXPECT_EQ(metadata.at("scarab.recording").at("part"), "1");
+  EXPECT_EQ(metadata.at("scarab.recording").count("version"), 1U);
+  EXPECT_THAT(metadata.at("scarab.host").at("cyclone_dds"), HasSubstr("0.10"));
+  EXPECT_THAT(metadata.at("scarab.host").at("kernel"), HasSubstr("Linux"));
+  EXPECT_EQ(metadata.at("scarab.recorded").at("dropped"), "0");
 }
 
 TEST_F(Record, BadUsageStartsNothing) {

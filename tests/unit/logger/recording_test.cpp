@@ -43,7 +43,7 @@ TEST(BatchQueue, BatchesWithoutSamplesPileUpToOne) {
   for (std::uint32_t i = 0; i < 1000; ++i) {
     SampleBatch batch = one_sample(100);
     if (i == 500) batch.add_channel({"late/topic", "Late", "", TopicRole::kNone, {}});
-    batch.drop_samples();
+    batch.drop_samples([](std::uint32_t) { return false; });
     queue.push(std::move(batch));
   }
   EXPECT_EQ(queue.pop(0s)->entries().size(), 1U);
