@@ -6,13 +6,14 @@
 
 namespace scarab::mcap {
 
-/// How the records of a chunk are stored. lz4, which MCAP also knows, is neither written nor read.
-enum class Compression { kNone, kZstd };
+/// How the records of a chunk are stored: every method MCAP's specification names.
+enum class Compression { kNone, kLz4, kZstd };
 
-/// The name that stands in the file: "" or "zstd".
+/// The name that stands in the file: "", "lz4" or "zstd".
 std::string name_of(Compression compression);
 
-/// `bytes` compressed; `level` is zstd's (1 fastest .. 19 smallest), ignored for kNone.
+/// `bytes` as one frame. `level`: zstd 1 (fastest) to 19 (smallest); lz4 1 and 2 (fastest) and 3 to
+/// 12 (smallest), more counts as 12; ignored for kNone.
 Bytes compress(Compression compression, int level, ByteView bytes);
 
 /// The `size` bytes that `bytes` was made from. Throws FormatError when the method is unknown, the

@@ -80,6 +80,8 @@ TEST_P(RoundTrip, FiltersByTopic) {
 INSTANTIATE_TEST_SUITE_P(Layouts, RoundTrip,
                          testing::Values(Layout{"oneZstdChunk", Compression::kZstd, 1U << 20U},
                                          Layout{"manyZstdChunks", Compression::kZstd, 300},
+                                         Layout{"oneLz4Chunk", Compression::kLz4, 1U << 20U},
+                                         Layout{"manyLz4Chunks", Compression::kLz4, 300},
                                          Layout{"manyPlainChunks", Compression::kNone, 300}),
                          [](const auto& layout) { return layout.param.name; });
 
