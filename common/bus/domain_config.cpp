@@ -64,10 +64,15 @@ std::string whereabouts(const ParticipantOptions& options) {
   return out + "</Peers>";
 }
 
-std::string document(const std::string& general, const std::string& discovery) {
+std::string document(const ParticipantOptions& options, const std::string& general,
+                     const std::string& discovery) {
   std::string out = "<CycloneDDS xmlns=\"https://cdds.io/config\"><Domain Id=\"any\">";
   if (!general.empty()) out += "<General>" + general + "</General>";
-  return out + "<Discovery>" + discovery + "</Discovery></Domain></CycloneDDS>";
+  out += "<Discovery>" + discovery + "</Discovery>";
+  // Cyclone 0.10 knows this for all writers of a domain only: those that do not gather flush each
+  // sample (endpoint.cpp).
+  if (options.gathers_samples) out += "<Internal><WriteBatch>true</WriteBatch></Internal>";
+  return out + "</Domain></CycloneDDS>";
 }
 
 /// What the options that differ from their defaults change of a configuration of the user's own.
@@ -75,7 +80,8 @@ std::string overlay(const ParticipantOptions& options) {
   std::string general;
   if (options.interface != kDefaultInterface) general += interfaces(options);
   if (by_peers(options)) general += multicast(options);
-  return document(general, (by_peers(options) ? kGuessablePorts : "") + whereabouts(options));
+  return document(options, general,
+                  (by_peers(options) ? kGuessablePorts : "") + whereabouts(options));
 }
 
 }  // namespace
@@ -88,7 +94,7 @@ std::string domain_config(const ParticipantOptions& options,
   // s.
   // An announcement that nobody heard is repeated after SPDPInterval; else after most of the lease,
   // and by then a running trial that waits for a restarted service has been given up.
-  return document(interfaces(options) + multicast(options),
+  return document(options, interfaces(options) + multicast(options),
                   kGuessablePorts + ("<LeaseDuration>12s</LeaseDuration>"
                                      "<SPDPInterval>1s</SPDPInterval>" +
                                      whereabouts(options)));

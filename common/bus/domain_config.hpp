@@ -20,6 +20,8 @@ struct ParticipantOptions {
   /// Addresses or names of the other hosts, for a network without multicast; empty: multicast finds
   /// everybody.
   std::vector<std::string> peers = {};
+  /// What is given to Writer::stage() leaves with flush(), many samples in a packet; else at once.
+  bool gathers_samples = false;
 };
 
 /// The Cyclone DDS configuration of a participant.

@@ -78,7 +78,14 @@ std::vector<std::string> WriterEndpoint::faults() const {
   return {mismatch(status.last_policy_id, topic())};
 }
 
+void WriterEndpoint::flush() { dds_write_flush(handle()); }
+
 void WriterEndpoint::send(const void* sample, dds_time_t source_ns) {
+  stage(sample, source_ns);
+  flush();
+}
+
+void WriterEndpoint::stage(const void* sample, dds_time_t source_ns) {
   const dds_return_t code = dds_write_ts(handle(), sample, source_ns);
   if (code == DDS_RETCODE_TIMEOUT) {
     std::string readers;
@@ -92,18 +99,29 @@ CheckedWriter::CheckedWriter(Participant& participant, const char* topic,
                              const dds_topic_descriptor_t& descriptor, Profile profile)
     : WriterEndpoint(participant, topic, descriptor, writer_qos(profile)), check_(descriptor) {}
 
-void CheckedWriter::write_sample(const void* sample) {
+void CheckedWriter::check(const void* sample) const {
   try {
     check_.check(sample);
   } catch (const Error& error) {
     throw Error(name() + ": " + error.what());
   }
+}
+
+void CheckedWriter::write_sample(const void* sample) {
+  check(sample);
   std::vector<std::byte> buffer;
   send(check_.without_padding(sample, buffer), dds_time());
 }
 
+void CheckedWriter::stage_sample(const void* sample) {
+  check(sample);
+  std::vector<std::byte> buffer;
+  stage(check_.without_padding(sample, buffer), dds_time());
+}
+
 void CheckedWriter::dispose_sample(const void* sample) {
-  check(dds_dispose(handle(), sample), name());
+  bus::check(dds_dispose(handle(), sample), name());
+  flush();
 }
 
 ReaderEndpoint::ReaderEndpoint(Participant& participant, const char* topic,

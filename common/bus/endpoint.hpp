@@ -45,10 +45,15 @@ class WriterEndpoint : public Endpoint {
   /// Why readers on this topic did not match, since the start; empty when all is well.
   std::vector<std::string> faults() const;
 
+  /// Sends what was staged.
+  void flush();
+
  protected:
-  /// Hands a sample of the C type to Cyclone, stamped with `source_ns`. Throws Error when readers
-  /// do not acknowledge.
+  /// Sends a sample of the C type, stamped with `source_ns`, behind what was staged. Throws Error
+  /// when readers do not acknowledge.
   void send(const void* sample, dds_time_t source_ns);
+  /// The same without sending it yet, where the participant gathers samples.
+  void stage(const void* sample, dds_time_t source_ns);
 };
 
 /// The untyped part of Writer<T>.
@@ -59,9 +64,12 @@ class CheckedWriter : public WriterEndpoint {
 
  protected:
   void write_sample(const void* sample);
+  void stage_sample(const void* sample);
   void dispose_sample(const void* sample);
 
  private:
+  void check(const void* sample) const;
+
   SampleCheck check_;
 };
 

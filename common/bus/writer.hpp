@@ -17,6 +17,10 @@ class Writer : public CheckedWriter {
   /// sequence beyond its bound), and when readers do not acknowledge for 1 s.
   void write(const T& sample) { write_sample(&sample); }
 
+  /// The same for a sample that may wait for flush(), or for the next write(): in a participant
+  /// that gathers samples many leave in one packet, in others each at once.
+  void stage(const T& sample) { stage_sample(&sample); }
+
   /// Says that the instance with this sample's key is no more.
   void dispose(const T& sample) { dispose_sample(&sample); }
 };

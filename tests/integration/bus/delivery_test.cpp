@@ -64,6 +64,75 @@ TEST(Delivery, FirstSampleAfterTheMatchArrives) {
   }
 }
 
+/// A plant's writers and somebody who reads them.
+struct StagedSamples {
+  explicit StagedSamples(bool gathers)
+      : plant([&] {
+          ParticipantOptions options = test_options("plant");
+          options.gathers_samples = gathers;
+          return options;
+        }()) {}
+
+  /// A volatile reader may miss the first.
+  static ReaderOptions from_the_first() {
+    ReaderOptions options;
+    options.keep_all = true;
+    return options;
+  }
+  bool matched() {
+    return eventually([&] {
+      return !sensors.matched().empty() && !states.matched().empty() &&
+             reader.matched().size() == 1;
+    });
+  }
+  /// Stages samples of the given ticks, then sends a mark on another topic; the ticks that have
+  /// come when the mark has.
+  std::vector<std::uint32_t> stage_and_mark(std::uint32_t first, std::uint32_t count) {
+    for (std::uint32_t i = 0; i < count; ++i) sensors.stage(robot_state(first + i));
+    states.write(robot_state(first));
+    EXPECT_TRUE(eventually([&] { return marks.take([](const scarab_RobotState&) {}) > 0; }));
+    return take();
+  }
+  std::vector<std::uint32_t> take() {
+    std::vector<std::uint32_t> ticks;
+    reader.take([&](const scarab_RobotState& state) { ticks.push_back(state.header.tick); });
+    return ticks;
+  }
+
+  Participant plant;
+  Participant logger{test_options("logger")};
+  Writer<scarab_RobotState> sensors{plant, kRobotSensors};
+  Writer<scarab_RobotState> states{plant, kRobotState};
+  Reader<scarab_RobotState> reader{logger, kRobotSensors, from_the_first()};
+  Reader<scarab_RobotState> marks{logger, kRobotState};
+};
+
+TEST(Delivery, WhereSamplesAreGatheredStagedOnesWaitForTheFlush) {
+  StagedSamples samples(true);
+  ASSERT_TRUE(samples.matched());
+  // A heartbeat, every 100 ms, would fetch what is staged: one round without one is enough.
+  constexpr std::uint32_t kRounds = 20;
+  std::uint32_t first = 0;
+  bool waited = false;
+  for (; first < kRounds * 5 && !waited; first += 5) {
+    std::vector<std::uint32_t> ticks = samples.stage_and_mark(first, 5);
+    waited = ticks.empty();
+    samples.sensors.flush();
+    ASSERT_TRUE(eventually([&] {
+      for (const std::uint32_t tick : samples.take()) ticks.push_back(tick);
+      return ticks.size() == 5;
+    }));
+    EXPECT_THAT(ticks, ElementsAre(first, first + 1, first + 2, first + 3, first + 4));
+  }
+  EXPECT_TRUE(waited);
+}
+
+TEST(Delivery, ElsewhereStagedSamplesLeaveAtOnce) {
+  StagedSamples samples(false);
+  ASSERT_TRUE(samples.matched());
+  EXPECT_THAT(samples.stage_and_mark(1, 2), ElementsAre(1, 2));
+}
+
 TEST(Delivery, MatchedNamesThePeers) {
   Participant plant(test_options("plant"));
   Participant first(test_options("premotor", 0));

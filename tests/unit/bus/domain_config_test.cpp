@@ -47,6 +47,14 @@ TEST(DomainConfig, PeersAreLaidOverABase) {
   EXPECT_THAT(config, HasSubstr("<ParticipantIndex>auto<"));
 }
 
+TEST(DomainConfig, SamplesAreGatheredOnlyWhereAskedFor) {
+  EXPECT_THAT(domain_config({}, std::nullopt), Not(HasSubstr("WriteBatch")));
+  ParticipantOptions options;
+  options.gathers_samples = true;
+  EXPECT_THAT(domain_config(options, std::nullopt), HasSubstr("<WriteBatch>true<"));
+  EXPECT_THAT(domain_config(options, "file:///etc/c.xml"), HasSubstr("<WriteBatch>true<"));
+}
+
 TEST(DomainConfig, ABaseIsOnlyOverriddenByWhatWasGiven) {
   const std::string config = domain_config({0, "", "lo", {}}, "file:///etc/c.xml");
   EXPECT_THAT(config, StartsWith("file:///etc/c.xml,<"));
