@@ -135,8 +135,10 @@ class Room(unittest.TestCase):
         self.room = Path(room.name)
         (self.room / "bin").mkdir()
         self.program("scarab-topic", f"""case "$*" in
+            *list*--names*) [ -f {self.room}/topics ] && cat {self.room}/topics || exec sleep 9 ;;
             *list*--json*) [ -f {self.room}/seen ] && cat {self.room}/seen || exec sleep 9 ;;
-            *echo*--csv*) echo header.tick,mode,position_rad.length; exec sleep 9 ;;
+            "fields --names --name scarab::Behaviour"*) printf '%s\\n' header.tick mode ;;
+            "fields --names rt/x --timeout "*) printf '%s\\n' stamp points.length ;;
             *echo*) cat <<'X'\n{COMMAND_HELP}\nX\n;;
             *) cat <<'X'\n{TOOL_HELP}\nX\n;; esac""")
         self.program("scarab-log", f"""case "$*" in
