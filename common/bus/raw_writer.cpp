@@ -24,4 +24,11 @@ void RawWriter::write(ByteView cdr, std::int64_t source_ns) {
   send(decoded(cdr).get(), source_ns);
 }
 
+bool RawWriter::await_acknowledged(std::chrono::nanoseconds limit) const {
+  const dds_return_t code = dds_wait_for_acks(handle(), limit.count());
+  if (code == DDS_RETCODE_TIMEOUT) return false;
+  check(code, name());
+  return true;
+}
+
 }  // namespace scarab::bus

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <chrono>
 #include <cstdint>
 #include <string>
 
@@ -25,6 +26,10 @@ class RawWriter : public WriterEndpoint {
   void write(ByteView cdr);
   /// The same with the source time stamp `source_ns`, ns since the Unix epoch.
   void write(ByteView cdr, std::int64_t source_ns);
+
+  /// Waits until every matched reliable reader has acknowledged all that was written; false after
+  /// `limit`.
+  bool await_acknowledged(std::chrono::nanoseconds limit) const;
 
  private:
   DynamicSample decoded(ByteView cdr) const;
