@@ -27,12 +27,23 @@ InputFile::InputFile(std::filesystem::path path)
 
 InputFile::~InputFile() { ::close(descriptor_); }
 
-Bytes InputFile::read(std::uint64_t offset, std::uint64_t length) const {
+/// Before memory is made for it: a length out of a damaged file may be any number.
+void InputFile::check_range(std::uint64_t offset, std::uint64_t length) const {
   if (offset > size_ || length > size_ - offset) {
     throw FileError("cannot read " + path_.string() + ": it ends before byte " +
                     std::to_string(offset) + " + " + std::to_string(length));
   }
+}
+
+Bytes InputFile::read(std::uint64_t offset, std::uint64_t length) const {
+  check_range(offset, length);
   Bytes bytes(static_cast<std::size_t>(length));
+  read(offset, bytes);
+  return bytes;
+}
+
+void InputFile::read(std::uint64_t offset, Bytes& bytes) const {
+  check_range(offset, bytes.size());
   std::size_t done = 0;
   while (done < bytes.size()) {
     const ssize_t result = ::pread(descriptor_, bytes.data() + done, bytes.size() - done,
@@ -45,7 +56,6 @@ Bytes InputFile::read(std::uint64_t offset, std::uint64_t length) const {
           (result == 0 ? "it has become shorter" : std::generic_category().message(errno)));
     }
   }
-  return bytes;
 }
 
 }  // namespace scarab::mcap

@@ -21,8 +21,12 @@ class InputFile {
   const std::filesystem::path& path() const { return path_; }
   /// The `length` bytes from `offset` on. Throws FileError when they are not all there.
   Bytes read(std::uint64_t offset, std::uint64_t length) const;
+  /// The same into memory of the caller's, as many bytes as it has.
+  void read(std::uint64_t offset, Bytes& into) const;
 
  private:
+  void check_range(std::uint64_t offset, std::uint64_t length) const;
+
   std::filesystem::path path_;
   int descriptor_ = -1;
   std::uint64_t size_ = 0;

@@ -14,9 +14,21 @@ bool starts_with_magic(ByteView bytes) {
   return std::equal(bytes.begin(), bytes.end(), kMagic.begin(), kMagic.end());
 }
 
+/// What a summary repeats of the data section is its writer's choice; only one that leaves nothing
+/// out saves the scan.
+bool is_whole(const Summary& summary) {
+  const Statistics& counted = summary.statistics;
+  return counted.channel_count > 0 && counted.schema_count == summary.schemas.size() &&
+         counted.channel_count == summary.channels.size() &&
+         counted.chunk_count == summary.chunks.size() &&
+         counted.attachment_count == summary.attachments.size() &&
+         counted.metadata_count == summary.metadata.size();
+}
+
 }  // namespace
 
-Reader::Reader(const std::filesystem::path& path, Access access) : file_(path) {
+Reader::Reader(const std::filesystem::path& path, Access access, const Progress& progress)
+    : file_(path) {
   if (file_.size() < kMagic.size() || !starts_with_magic(file_.read(0, kMagic.size()))) {
     throw FormatError(path.string() + ": not an MCAP file");
   }
@@ -28,7 +40,7 @@ Reader::Reader(const std::filesystem::path& path, Access access) : file_(path) {
   data_begin_ = first.position();
   data_end_ = file_.size();
   if (access == Access::kScan || !read_summary()) {
-    read_by_scan();
+    read_by_scan(progress);
   }
 }
 
@@ -58,6 +70,9 @@ bool Reader::read_summary() {
       throw FormatError("the CRC of the summary does not match its content");
     }
     summary_ = decode_summary(summary);
+    if (!is_whole(summary_)) {
+      return false;
+    }
   } catch (const FormatError& error) {
     damage_ = error.what();
     return false;
@@ -67,8 +82,8 @@ bool Reader::read_summary() {
   return true;
 }
 
-void Reader::read_by_scan() {
-  Scan found = scan(file_, data_begin_);
+void Reader::read_by_scan(const Progress& progress) {
+  Scan found = scan(file_, data_begin_, progress);
   summary_ = std::move(found.summary);
   damaged_ = std::move(found.damaged);
   closed_ = found.complete && file_.size() >= kMagic.size() &&
@@ -93,21 +108,36 @@ bool Reader::wanted(std::uint64_t chunk_offset, const std::set<std::uint16_t>& c
                      [&](const auto& entry) { return channels.count(entry.first) != 0; });
 }
 
-void Reader::visit_chunk(ByteView content, const std::set<std::uint16_t>& channels,
-                         const Visitor& visit) const {
+bool Reader::visit_chunk(ByteView content, const std::set<std::uint16_t>& channels,
+                         const Judge& visit) const {
   const Bytes records = unpack(decode_chunk(content));
   RecordCursor cursor(records);
   while (cursor.next()) {
     if (cursor.opcode() == Opcode::kMessage) {
       const Message message = decode_message(cursor.content());
-      if (channels.count(message.channel_id) != 0) {
-        visit(summary_.channels.at(message.channel_id), message);
+      if (channels.count(message.channel_id) != 0 &&
+          !visit(summary_.channels.at(message.channel_id), message)) {
+        return false;
       }
     }
   }
+  return true;
 }
 
-void Reader::for_each(const Visitor& visit, const std::set<std::string>& topics) const {
+bool Reader::visit_record(RecordStream& stream, const std::set<std::uint16_t>& channels,
+                          const Judge& visit) const {
+  if (stream.opcode() == Opcode::kChunk && wanted(stream.offset(), channels)) {
+    return visit_chunk(stream.content(), channels, visit);
+  }
+  if (stream.opcode() == Opcode::kMessage) {
+    const Message message = decode_message(stream.content());
+    return channels.count(message.channel_id) == 0 ||
+           visit(summary_.channels.at(message.channel_id), message);
+  }
+  return true;
+}
+
+bool Reader::for_each_while(const Judge& visit, const std::set<std::string>& topics) const {
   std::set<std::uint16_t> channels;
   for (const auto& [id, channel] : summary_.channels) {
     if (topics.empty() || topics.count(channel.topic) != 0) {
@@ -117,23 +147,24 @@ void Reader::for_each(const Visitor& visit, const std::set<std::string>& topics)
   RecordStream stream(file_, data_begin_, data_end_);
   while (stream.next() && stream.opcode() != Opcode::kDataEnd) {
     try {
-      if (damaged_.count(stream.offset()) != 0) {
-        continue;
-      }
-      if (stream.opcode() == Opcode::kChunk && wanted(stream.offset(), channels)) {
-        visit_chunk(stream.content(), channels, visit);
-      } else if (stream.opcode() == Opcode::kMessage) {
-        const Bytes content = stream.content();
-        const Message message = decode_message(content);
-        if (channels.count(message.channel_id) != 0) {
-          visit(summary_.channels.at(message.channel_id), message);
-        }
+      if (damaged_.count(stream.offset()) == 0 && !visit_record(stream, channels, visit)) {
+        return false;
       }
     } catch (const FormatError& error) {
       throw FormatError(path().string() + ": record at byte " + std::to_string(stream.offset()) +
                         ": " + error.what());
     }
   }
+  return true;
+}
+
+void Reader::for_each(const Visitor& visit, const std::set<std::string>& topics) const {
+  for_each_while(
+      [&](const Channel& channel, const Message& message) {
+        visit(channel, message);
+        return true;
+      },
+      topics);
 }
 
 Bytes Reader::record(std::uint64_t offset, std::uint64_t length) const {

@@ -8,22 +8,27 @@
 
 #include "common/mcap/error.hpp"
 #include "common/mcap/input_file.hpp"
+#include "common/mcap/scan.hpp"
 #include "common/mcap/summary.hpp"
 
 namespace scarab::mcap {
 
+class RecordStream;
+
 /// How a Reader learns what a file contains.
 enum class Access {
   kIndexed,  ///< from the summary at its end; from a scan when it has none, was cut, or its summary
-             ///< is damaged
+             ///< is damaged or leaves something out
   kScan,     ///< always from front to back, believing nothing but CRCs
 };
 
-/// Reads one MCAP file, closed or not. A file that was never closed yields every complete chunk.
+/// Reads one MCAP file, of this writer or any other, with or without chunks and summary, closed or
+/// not. A file that was never closed yields every complete chunk. Memory is that of a chunk.
 class Reader {
  public:
   /// Throws FileError (cannot be opened) and FormatError (no MCAP file).
-  explicit Reader(const std::filesystem::path& path, Access access = Access::kIndexed);
+  explicit Reader(const std::filesystem::path& path, Access access = Access::kIndexed,
+                  const Progress& progress = {});
 
   /// True when the file was closed by its writer; false for one that was cut or is still being
   /// written.
@@ -31,6 +36,8 @@ class Reader {
   /// What is wrong with it in words, empty when nothing was found. A closed file's chunks are
   /// checked as they are read.
   const std::string& damage() const { return damage_; }
+  /// Whole records that the scan found damaged and that are left out.
+  std::size_t damaged() const { return damaged_.size(); }
   /// Bytes at the end that no whole record covers: the chunk a kill cut short.
   std::uint64_t bytes_lost() const { return bytes_lost_; }
 
@@ -42,6 +49,10 @@ class Reader {
   /// Throws FormatError, naming file and place, for a damaged chunk that the scan has not already
   /// left out.
   void for_each(const Visitor& visit, const std::set<std::string>& topics = {}) const;
+  /// True: go on.
+  using Judge = std::function<bool(const Channel&, const Message&)>;
+  /// The same up to where `visit` says false; false then.
+  bool for_each_while(const Judge& visit, const std::set<std::string>& topics = {}) const;
 
   /// Throws FormatError when its CRC is wrong.
   Attachment attachment(const AttachmentIndex& index) const;
@@ -53,9 +64,11 @@ class Reader {
 
  private:
   bool read_summary();
-  void read_by_scan();
-  void visit_chunk(ByteView content, const std::set<std::uint16_t>& channels,
-                   const Visitor& visit) const;
+  void read_by_scan(const Progress& progress);
+  bool visit_record(RecordStream& stream, const std::set<std::uint16_t>& channels,
+                    const Judge& visit) const;
+  bool visit_chunk(ByteView content, const std::set<std::uint16_t>& channels,
+                   const Judge& visit) const;
   bool wanted(std::uint64_t chunk_offset, const std::set<std::uint16_t>& channels) const;
 
   InputFile file_;

@@ -1,6 +1,11 @@
 #include "common/mcap/recover.hpp"
 
+#include <fcntl.h>
+
+#include <cerrno>
+#include <cstdio>
 #include <map>
+#include <system_error>
 
 #include "common/mcap/reader.hpp"
 
@@ -22,37 +27,66 @@ std::map<std::uint16_t, std::uint16_t> copy_channels(const Summary& from, Writer
   return channel_ids;
 }
 
-}  // namespace
-
-Recovery recover(const std::filesystem::path& from, const std::filesystem::path& to,
-                 const WriterOptions& options) {
-  const Reader reader(from, Access::kScan);
-  WriterOptions same_profile = options;
-  same_profile.profile = reader.header().profile;
-  Writer writer(to, same_profile);
-
+/// Copies everything readable into the writer, and closes it.
+Recovery copy(const Reader& reader, Writer& writer) {
   for (const AttachmentIndex& index : reader.summary().attachments) {
     writer.attach(reader.attachment(index));
   }
   for (const MetadataIndex& index : reader.summary().metadata) {
     writer.add_metadata(reader.metadata(index));
   }
-  auto channel_ids = copy_channels(reader.summary(), writer);
+  const auto channel_ids = copy_channels(reader.summary(), writer);
   reader.for_each([&](const Channel& channel, const Message& message) {
-    Message copy = message;
-    copy.channel_id = channel_ids.at(channel.id);
-    writer.write(copy);
+    Message moved = message;
+    moved.channel_id = channel_ids.at(channel.id);
+    writer.write(moved);
   });
-
-  const Recovery result{writer.statistics().message_count, reader.summary().statistics.chunk_count,
-                        reader.summary().statistics.attachment_count, reader.bytes_lost(),
-                        reader.damage()};
+  Recovery result{writer.statistics(), reader.bytes_lost(), reader.damaged(), reader.damage()};
+  result.kept.chunk_count = reader.summary().statistics.chunk_count;
   writer.add_metadata({"scarab.recovered",
-                       {{"from", from.filename().string()},
+                       {{"from", reader.path().filename().string()},
                         {"bytes_lost", std::to_string(result.bytes_lost)},
                         {"damage", result.damage}}});
   writer.close();
   return result;
+}
+
+/// Gives a finished file its name, never that of another one.
+void move(const std::filesystem::path& from, const std::filesystem::path& to, bool overwrite) {
+  const unsigned flags = overwrite ? 0 : RENAME_NOREPLACE;
+  if (::renameat2(AT_FDCWD, from.c_str(), AT_FDCWD, to.c_str(), flags) != 0) {
+    throw FileError("cannot create " + to.string() + ": " + std::generic_category().message(errno));
+  }
+}
+
+void remove_traces(const std::filesystem::path& unfinished) {
+  std::error_code ignored;
+  std::filesystem::remove(unfinished, ignored);
+  std::filesystem::remove(unfinished.string() + ".active", ignored);
+}
+
+}  // namespace
+
+Recovery recover(const std::filesystem::path& from, const std::filesystem::path& to,
+                 const WriterOptions& options, const Progress& progress) {
+  const Reader reader(from, Access::kScan, progress);
+  if (!options.overwrite && std::filesystem::exists(to)) {
+    throw FileError("cannot create " + to.string() + ": it exists");
+  }
+  // A name of its own: what a Writer calls an unfinished `to` may well be `from`.
+  const std::filesystem::path unfinished = to.string() + ".mending";
+  WriterOptions own = options;
+  own.profile = reader.header().profile;
+  own.overwrite = true;
+  try {
+    Writer writer(unfinished, own);
+    const Recovery result = copy(reader, writer);
+    move(unfinished, to, options.overwrite);
+    return result;
+  } catch (...) {
+    remove_traces(unfinished);
+    throw;
+  }
 }
 
 }  // namespace scarab::mcap

@@ -4,22 +4,24 @@
 #include <filesystem>
 #include <string>
 
+#include "common/mcap/scan.hpp"
 #include "common/mcap/writer.hpp"
 
 namespace scarab::mcap {
 
 struct Recovery {
-  std::uint64_t messages = 0;
-  std::uint32_t chunks = 0;
-  std::uint32_t attachments = 0;
+  Statistics kept;               ///< what the new file has; its chunks as they were in the old one
   std::uint64_t bytes_lost = 0;  ///< after the last whole record
-  std::string damage;            ///< the first damaged record that was left out; empty when none
+  std::size_t damaged = 0;       ///< whole records that were left out: a wrong CRC and the like
+  std::string damage;            ///< the first of them in words; empty when none
 };
 
 /// Writes everything that can be read of `from`, a file cut or damaged, into a new, closed file
 /// `to`: messages in order, attachments, metadata, and a metadata record `scarab.recovered` that
-/// says where it comes from. Throws FileError and FormatError (no MCAP file).
+/// says where it comes from. `to` appears once it is whole, and never takes the place of another
+/// file, unless `options` say so. Throws FileError (`to` exists, disk full, ...) and FormatError
+/// (no MCAP file); then there is no trace of it.
 Recovery recover(const std::filesystem::path& from, const std::filesystem::path& to,
-                 const WriterOptions& options = {});
+                 const WriterOptions& options = {}, const Progress& progress = {});
 
 }  // namespace scarab::mcap

@@ -51,8 +51,8 @@ void check_records(const Summary& summary, ByteView records) {
 }
 
 /// Adds a chunk to the summary, all of it or, when anything in it is wrong, nothing.
-void add_chunk(Summary& summary, const RecordStream& at) {
-  const Bytes content = at.content();
+void add_chunk(Summary& summary, RecordStream& at) {
+  const ByteView content = at.content();
   const Chunk chunk = decode_chunk(content);
   const Bytes records = unpack(chunk);
   check_records(summary, records);
@@ -77,7 +77,7 @@ void add_chunk(Summary& summary, const RecordStream& at) {
   summary.chunks.push_back(std::move(index));
 }
 
-void add_record(Summary& summary, const RecordStream& at) {
+void add_record(Summary& summary, RecordStream& at) {
   if (at.opcode() == Opcode::kChunk) {
     add_chunk(summary, at);
   } else if (at.opcode() == Opcode::kSchema) {
@@ -85,7 +85,7 @@ void add_record(Summary& summary, const RecordStream& at) {
   } else if (at.opcode() == Opcode::kChannel) {
     add_channel(summary, at.content());
   } else if (at.opcode() == Opcode::kMessage) {
-    const Bytes content = at.content();
+    const ByteView content = at.content();
     add_message(summary, decode_message(content));
   } else if (at.opcode() == Opcode::kAttachment) {
     const Attachment a = decode_attachment(at.content());
@@ -115,7 +115,7 @@ Bytes unpack(const Chunk& chunk) {
   return records;
 }
 
-Scan scan(const InputFile& file, std::uint64_t begin) {
+Scan scan(const InputFile& file, std::uint64_t begin, const Progress& progress) {
   constexpr Opcode kNoOpcode{};
   Scan result;
   RecordStream stream(file, begin, file.size());
@@ -132,6 +132,9 @@ Scan scan(const InputFile& file, std::uint64_t begin) {
     }
     result.complete = stream.opcode() == Opcode::kDataEnd || stream.opcode() == Opcode::kFooter;
     result.readable_size = stream.position();
+    if (progress) {
+      progress(result.readable_size, file.size());
+    }
   }
   count(result.summary);
   return result;

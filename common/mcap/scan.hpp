@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <functional>
 #include <set>
 #include <string>
 
@@ -20,9 +21,12 @@ struct Scan {
   std::string first_damage;  ///< the first of them in words; empty when there is none
 };
 
+/// Is told of a scan how many bytes of how many are done, after each record.
+using Progress = std::function<void(std::uint64_t done, std::uint64_t total)>;
+
 /// Reads the data section of a file whose header ends at `begin`. Never throws for what the file
 /// contains.
-Scan scan(const InputFile& file, std::uint64_t begin);
+Scan scan(const InputFile& file, std::uint64_t begin, const Progress& progress = {});
 
 /// The uncompressed records of a chunk. Throws FormatError when the CRC or the compression is
 /// wrong.

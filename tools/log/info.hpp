@@ -2,16 +2,19 @@
 
 #include <ostream>
 
-#include "common/mcap/reader.hpp"
+#include "tools/log/facts.hpp"
 
 namespace scarab::log {
 
-/// Prints what a log holds: whether it was closed, its size, time span, trials, topics with counts
-/// and rates, attachments and metadata.
-void print_info(const mcap::Reader& reader, std::ostream& out);
+/// Prints what a log holds: its files, time span, trials and their pace, topics with counts, rates,
+/// writers and QoS, what was dropped, attachments and metadata.
+void print_info(const LogFacts& facts, std::ostream& out);
 
-/// Prints one line to `out` when the log was not closed, or is damaged: what is missing and that
-/// `recover` mends it.
-void warn_if_cut(const mcap::Reader& reader, std::ostream& out);
+/// The same as one JSON object. Times in ns are strings: they are beyond what a double holds.
+void print_info_json(const LogFacts& facts, std::ostream& out);
+
+/// Prints one line to `out` for each file that was not closed, or is damaged: what is missing and
+/// that `recover` mends it.
+void warn_if_cut(const Log& log, std::ostream& out);
 
 }  // namespace scarab::log

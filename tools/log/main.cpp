@@ -1,4 +1,5 @@
 #include <CLI/CLI.hpp>
+#include <iostream>
 
 #include "common/runtime/program.hpp"
 #include "tools/log/commands.hpp"
@@ -6,16 +7,19 @@
 using namespace scarab;
 
 int main(int argc, char** argv) {
-  CLI::App app{"Looks into recorded logs (MCAP).", "scarab-log"};
+  std::ios::sync_with_stdio(false);
+  CLI::App app{"Looks into recorded logs (MCAP), mends, compares and replays them.", "scarab-log"};
   app.require_subcommand(1);
   app.footer(
       "Examples:\n"
       "  scarab-log info runs/latest/trial.mcap\n"
+      "  scarab-log cat runs/latest/trial.mcap --topic scarab/behaviour\n"
       "  scarab-log export runs/latest/trial.mcap --topic scarab/behaviour > behaviour.csv\n"
       "Exit codes: 0 done; 1 not a log, or diff found a difference; 2 bad usage or no such "
-      "file.");
+      "file; 130 interrupted.");
   log::Command command;
   log::add_info(app, command);
+  log::add_cat(app, command);
   log::add_export(app, command);
   log::add_diff(app, command);
   log::add_recover(app, command);

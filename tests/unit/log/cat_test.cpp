@@ -1,0 +1,125 @@
+/// Messages as text.
+#include "tools/log/cat.hpp"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <limits>
+#include <sstream>
+#include <stdexcept>
+
+#include "common/bus/sample_text.hpp"
+#include "tests/unit/log/behaviour_log.hpp"
+#include "tests/unit/mcap/temporary_folder.hpp"
+#include "tools/log/sample_json.hpp"
+
+namespace scarab::log::test {
+namespace {
+
+using mcap::test::TemporaryFolder;
+using testing::HasSubstr;
+
+class Cat : public testing::Test {
+ protected:
+  Cat() {
+    LogWriter log(folder_ / "x.mcap");
+    log.write(behaviour(1, 0, 5));
+    const auto meadow = log.add_channel("meadow", "meadow::Patch", "omgidl", kMeadowIdl);
+    log.write(meadow, 7, patch(2.5, {7}));
+    log.write(log.writer().add_channel(0, "noise", "cdr"), 8, std::string_view("\x01\xff"));
+    log.write(log.add_channel("ros", "std_msgs/msg/Bool", "ros2msg", "bool data"), 9,
+              std::string_view("\x01"));
+    log.write(behaviour(2, 1, 6));
+    log.close();
+  }
+  std::string cat(const SelectionOptions& selected, const CatOptions& options) const {
+    const Log log(folder_ / "x.mcap");
+    std::ostringstream out;
+    print_messages(log, Selection(log, selected), options, out);
+    return out.str();
+  }
+  TemporaryFolder folder_;
+};
+
+TEST_F(Cat, PrintsALineOfJsonAMessageInTheOrderOfTheLog) {
+  const std::string text = cat({}, {true, {}});
+  EXPECT_EQ(std::count(text.begin(), text.end(), '\n'), 5);
+  EXPECT_THAT(text, HasSubstr("{\"topic\":\"meadow\",\"sequence\":1,\"log_time_ns\":\"2000000000\","
+                              "\"publish_time_ns\":\"7\",\"value\":{\"area_m2\": 2.5, "
+                              "\"flowers\": [7], \"kind\": \"CLOVER\"}}\n"));
+  EXPECT_LT(text.find("\"tick\": 0"), text.find("meadow"));
+  EXPECT_LT(text.find("meadow"), text.find("\"tick\": 1"));
+}
+
+TEST_F(Cat, ShowsAsBytesWhatItHasNoTypeFor) {
+  const std::string text = cat({}, {true, {}});
+  EXPECT_THAT(text, HasSubstr("\"topic\":\"noise\",\"sequence\":2,\"log_time_ns\":\"3000000000\","
+                              "\"publish_time_ns\":\"8\",\"bytes\":\"01ff\"}\n"));
+  EXPECT_THAT(text, HasSubstr("\"bytes\":\"01\"}\n"));
+  const std::string documents = cat({}, {false, {}});
+  EXPECT_THAT(documents, HasSubstr("# it was recorded without a schema\nbytes: \"01ff\"\n"));
+  EXPECT_THAT(documents, HasSubstr("# its schema is in 'ros2msg'"));
+}
+
+TEST_F(Cat, PrintsYamlDocuments) {
+  EXPECT_EQ(cat({{"meadow"}, {}, "", {}}, {false, {}}),
+            "---\n"
+            "topic: meadow\n"
+            "sequence: 1\n"
+            "log_time_ns: 2000000000\n"
+            "publish_time_ns: 7\n"
+            "value:\n"
+            "  area_m2: 2.5\n"
+            "  flowers: [7]\n"
+            "  kind: CLOVER\n");
+  EXPECT_THAT(cat({{"meadow"}, {}, "", {"flowers", "kind"}}, {false, {}}),
+              HasSubstr("value:\n  flowers: [7]\n  kind: \"CLOVER\"\n"));
+}
+
+TEST_F(Cat, PrintsFieldsOfThoseTopicsThatHaveThem) {
+  const std::string text = cat({{}, {}, "", {"header.tick", "inputs[1]"}}, {true, {}});
+  EXPECT_THAT(text, HasSubstr("\"value\":{\"header.tick\": 0, \"inputs[1]\": 0}}\n"));
+  EXPECT_EQ(std::count(text.begin(), text.end(), '\n'), 2);
+}
+
+TEST_F(Cat, TakesTrialsFiltersAndSoManyMessages) {
+  EXPECT_THAT(cat({{}, 2, "", {}}, {true, {}}), testing::Not(HasSubstr("\"tick\": 0")));
+  const std::string filtered = cat({{}, {}, "header.tick = 1", {"header.tick"}}, {true, {}});
+  EXPECT_EQ(std::count(filtered.begin(), filtered.end(), '\n'), 1);
+  const std::string two = cat({}, {true, 2U});
+  EXPECT_EQ(std::count(two.begin(), two.end(), '\n'), 2);
+  EXPECT_EQ(cat({}, {true, 0U}), "");
+}
+
+TEST_F(Cat, SaysWhyNoTopicFits) {
+  try {
+    cat({{}, {}, "height > 3", {}}, {true, {}});
+    FAIL() << "no refusal";
+  } catch (const std::invalid_argument& error) {
+    EXPECT_THAT(error.what(), HasSubstr("meadow: "));
+    EXPECT_THAT(error.what(), HasSubstr("noise: it was recorded without a schema"));
+  }
+}
+
+/// The writer without a tree says what the bus says.
+TEST(SampleJson, IsTheJsonOfTheBus) {
+  scarab_WorldState world{};
+  world.object_travel_m = std::numeric_limits<double>::quiet_NaN();
+  world.verdict_time_s = 1e-300;
+  std::vector<scarab_Contact> contacts(2);
+  contacts[1].point_m[2] = -std::numeric_limits<double>::infinity();
+  contacts[1].force_n[0] = 0.1;
+  bus::borrow(world.contacts, contacts);
+  bus::assign(world.verdict_reason, "tab\t, \"quotes\", \\ and \xc3\xa4");
+  const auto type = bus::TypeModel::from_descriptor(bus::descriptor<scarab_WorldState>());
+  const bus::Bytes cdr = bus::encode(world);
+  std::string text;
+  append_json(text, type, cdr);
+  EXPECT_EQ(text, bus::json_text(type, cdr));
+  std::string of_tree;
+  append_json(of_tree, bus::sample_tree(type, cdr));
+  EXPECT_EQ(of_tree, text);
+}
+
+}  // namespace
+}  // namespace scarab::log::test

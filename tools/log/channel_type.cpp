@@ -1,0 +1,56 @@
+#include "tools/log/channel_type.hpp"
+
+#include "common/bus/error.hpp"
+#include "common/bus/idl_parser.hpp"
+#include "common/bus/known_types.hpp"
+
+namespace scarab::log {
+namespace {
+
+/// Sets the type, or why there is none.
+void find_type(const mcap::Schema& schema, LogChannel& channel) {
+  if (const auto* known = bus::find_known_type(schema.name); known && schema.data.empty()) {
+    channel.type = bus::TypeModel::from_descriptor(*known);
+  } else if (schema.encoding != "omgidl") {
+    channel.no_type = "its schema is in '" + schema.encoding + "', which is not read here";
+  } else {
+    try {
+      channel.type = bus::parse_idl(schema.data, schema.name);
+    } catch (const bus::Error& error) {
+      channel.no_type = "its IDL cannot be used: " + std::string(error.what());
+    }
+  }
+}
+
+}  // namespace
+
+LogChannel read_channel(const mcap::Channel& record, const mcap::Schema* schema) {
+  LogChannel channel;
+  channel.topic = record.topic;
+  channel.record = record;
+  const auto type = record.metadata.find("type");
+  if (schema != nullptr) {
+    channel.type_name = schema->name;
+  } else if (type != record.metadata.end()) {
+    channel.type_name = type->second;
+  }
+  if (record.message_encoding != "cdr") {
+    channel.no_type =
+        "its messages are in '" + record.message_encoding + "', which is not read here";
+  } else if (schema == nullptr) {
+    channel.no_type = "it was recorded without a schema";
+  } else {
+    find_type(*schema, channel);
+  }
+  channel.has_header = channel.type && begins_with_header(*channel.type);
+  return channel;
+}
+
+bool begins_with_header(const bus::TypeModel& type) {
+  if (type.root().members.empty()) return false;
+  const bus::Type& first = bus::resolve(*type.root().members.front().type);
+  const auto* header = std::get_if<bus::StructType>(&first.kind);
+  return header != nullptr && header->name == "scarab::Header";
+}
+
+}  // namespace scarab::log
