@@ -6,6 +6,7 @@ from typing import Dict, Iterable, List, Sequence
 from .completion_logs import LogValues
 from .completion_topics import TopicValues
 from .completion_values import Candidate, Source, Values, said
+from .failure import Failure
 from .places import Places
 from .syntax import Argument, Syntax, syntax_of_parser
 from .tool_syntax import tool_syntax
@@ -44,9 +45,14 @@ class Completion:
         if verb == "log":
             return LogValues(self._places, first, said(words, "--topic")).sources()
         if verb == "topic":
-            bus = [*bus_words(words), *told(self._verbs.tools[verb], words, self._places)]
-            return TopicValues(self._places, bus, first).sources()
+            return TopicValues(self._places, [*bus_words(words), *self._told(verb, words)], first).sources()
         return {}
+
+    def _told(self, verb: str, words: List[str]) -> List[str]:
+        try:
+            return told(self._verbs.tools[verb], words, self._places)
+        except Failure:  # several stacks run, and the line does not say as yet which one is meant
+            return []
 
 
 def _within(syntax: Syntax, before: List[str], typed: str, values: Values) -> List[Candidate]:

@@ -144,7 +144,8 @@ class Room(unittest.TestCase):
         self.program("scarab-log", f"""case "$*" in
             *--help) [ $1 = --help ] && cat <<'X' || cat <<'Y'\n{LOG_HELP}\nX\n{LOG_COMMAND_HELP}\nY\n;;
             info*/trial.mcap*/trial-2.mcap.active\ --json) echo '{json.dumps(LOG_INFO)}' ;;
-            export*/trial.mcap*/trial-2.mcap.active\ --topic\ scarab/behaviour*) echo 'header.tick,mode'; echo 1,2; exec sleep 9 ;;
+            export*/trial.mcap*/trial-2.mcap.active\ --topic\ scarab/behaviour*)
+              echo 'header.tick,mode'; echo 1,2; exec sleep 9 ;;
             *) exit 2 ;; esac""")
         # The supervisor alone knows its strategies; this one says what is in its file.
         self.program("scarab-supervisor", 'while [ "$1" != --config ]; do shift; done; cat "$2"')

@@ -14,6 +14,10 @@ from launcher.cli import all_verbs
 from launcher.completion import Completion
 from launcher.completion_verb import ASK
 from launcher.places import Places
+from launcher.process_identity import ProcessIdentity
+from launcher.run_directory import RunDirectory
+from launcher.running_stack import Kind, RunningStack
+from launcher.stack import Bus, Pace
 from launcher.syntax import syntax_of_help
 
 COMPLETED = (
@@ -31,7 +35,8 @@ COMPLETED = (
     ("deploy/scarab topic echo --format j", "deploy/scarab topic echo --format json"),
     ("deploy/scarab topic echo --type scarab::Tr", "deploy/scarab topic echo --type scarab::Trial"),
     ("deploy/scarab topic echo --type scarab::Beh", "deploy/scarab topic echo --type scarab::Behaviour"),
-    ("deploy/scarab topic echo scarab/behaviour --field h", "deploy/scarab topic echo scarab/behaviour --field header.tick"),
+    ("deploy/scarab topic echo scarab/behaviour --field h",
+     "deploy/scarab topic echo scarab/behaviour --field header.tick"),
     ("deploy/scarab topic echo rt/x --field po", "deploy/scarab topic echo rt/x --field points.length"),
     ("deploy/scarab log di", "deploy/scarab log diff"),
     ("deploy/scarab log cat lat", "deploy/scarab log cat latest"),
@@ -123,6 +128,17 @@ class Candidates(Room):
         (self.room / "seen").write_text(json.dumps([{"topic": "rt/joint_states", "type": "sensor::JointState_"}]))
         types = self.texts("topic", "echo", "a", "--type", "s")
         self.assertLessEqual({"sensor::JointState_", "scarab::Trial"}, set(types))
+
+    def test_several_stacks_that_are_up_are_no_obstacle(self):
+        stacks = self.room / "runs" / ".stacks"
+        stacks.mkdir()
+        for domain in (91, 92):
+            RunningStack(Kind.LASTING, ProcessIdentity.of(os.getpid()), Bus(domain, "lo", ""),
+                         RunDirectory(self.room / "runs" / "latest"), "plant=1", True, "plant=1",
+                         Pace.LOCKSTEP).write(self.room / "runs")
+        self.assertEqual(self.texts("topic", "li"), ["list"])
+        (self.room / "topics").write_text("rt/joint_states\n")
+        self.assertEqual(self.texts("topic", "--domain", "91", "echo", ""), ["rt/joint_states"])
 
     def test_log_is_completed_where_a_log_belongs_alone(self):
         (self.room / "runs" / "notes.txt").write_text("")
