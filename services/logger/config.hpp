@@ -33,7 +33,7 @@ LoggerConfig load_config(const std::filesystem::path& path);
 /// YAML that load_config reads back to an equal value.
 std::string dump_config(const LoggerConfig& config);
 
-/// JSON Schema (draft 2020-12) of such a file; config/schema/logger.json holds it.
+/// JSON Schema of such a file; config/schema/logger.json holds it.
 std::string config_schema();
 
 }  // namespace scarab::logger

@@ -185,6 +185,7 @@ void serve(const LoggerOptions& options, const LoggerConfig& config) {
   // A limit on file sizes is to be an error of write() like a full disk, not the end of the
   // process.
   std::signal(SIGXFSZ, SIG_IGN);
+  runtime::be_polite();
   bus::Participant participant(options.service.bus.participant("logger", options.service.instance));
   Recorder recorder(participant, options, config);
   recorder.run();

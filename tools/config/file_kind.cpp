@@ -4,6 +4,7 @@
 
 #include "common/config/config.hpp"
 #include "common/config/robot_schema.hpp"
+#include "services/logger/config.hpp"
 #include "services/plant/config.hpp"
 #include "services/premotor/config.hpp"
 #include "services/supervisor/config.hpp"
@@ -24,6 +25,8 @@ const FileKind* find(std::string_view name) {
 
 const std::array<FileKind, kKindCount>& file_kinds() {
   static const std::array<FileKind, kKindCount> kinds = {{
+      {"logger", [](const Path& file) { return logger::dump_config(logger::load_config(file)); },
+       logger::config_schema},
       {"plant", [](const Path& file) { return plant::dump_config(plant::load_config(file)); },
        plant::config_schema},
       {"premotor",

@@ -17,12 +17,12 @@ struct FileKind {
   std::string (*schema)();  ///< JSON Schema of such files
 };
 
-inline constexpr std::size_t kKindCount = 4;
+inline constexpr std::size_t kKindCount = 5;
 
 /// All kinds, in the order of their names.
 [[nodiscard]] const std::array<FileKind, kKindCount>& file_kinds();
 
-/// Their names: "plant, premotor, ...".
+/// Their names: "logger, plant, ...".
 [[nodiscard]] std::string kind_names();
 
 /// A kind that is unknown, cannot be seen from a file's folder, or does not go with the other

@@ -46,7 +46,7 @@ class Tool(unittest.TestCase):
         code, out, _ = scarab_config("check", "beetle.yaml", folder=CONFIG / "plant")
         self.assertEqual((code, out), (0, "beetle.yaml: ok\n"))
         stray = self.write("stray.yaml", BEETLE.read_text())
-        self.assert_refused("check", stray, saying="name one with --kind (plant, premotor, robot, supervisor)")
+        self.assert_refused("check", stray, saying="name one with --kind (logger, plant, premotor, robot, supervisor)")
         self.assertEqual(scarab_config("check", stray, "--kind", "robot")[:2], (0, f"{stray}: ok\n"))
         self.assert_refused("check", stray, "--kind", "bird", saying="no kind 'bird'")
 
