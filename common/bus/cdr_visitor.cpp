@@ -1,66 +1,24 @@
 #include "common/bus/cdr_visitor.hpp"
 
-#include <algorithm>
-#include <array>
-#include <cstring>
-
+#include "common/bus/cdr_cursor.hpp"
 #include "common/bus/error.hpp"
 
 namespace scarab::bus {
 
 namespace {
 
-/// Reads primitives from CDR bytes with their alignment and byte order.
-class Cursor {
- public:
-  explicit Cursor(ByteView cdr) {
-    if (cdr.size < kHeaderSize) throw Error("no encapsulation header");
-    const auto representation = std::to_integer<unsigned>(cdr.data[1]);
-    if (cdr.data[0] != std::byte{0} || representation > 1) {
-      throw Error("representation is not plain CDR");
-    }
-    swap_ = representation == 0;  // this project runs on little-endian machines
-    payload_ = {cdr.data + kHeaderSize, cdr.size - kHeaderSize};
-  }
+// XCDR2 writes the length of a list before it, unless its elements are primitive (DDS-XTypes 1.3,
+// 7.4.3.5.3, rules 12 and 15).
 
-  template <class T>
-  T read() {
-    align(sizeof(T));
-    std::array<std::byte, sizeof(T)> bytes;
-    const ByteView raw = take(sizeof(T));
-    std::copy_n(raw.data, sizeof(T), bytes.begin());
-    if (swap_) std::reverse(bytes.begin(), bytes.end());
-    T value;
-    std::memcpy(&value, bytes.data(), sizeof(T));
-    return value;
-  }
+bool is_delimited(const SequenceType& type) {
+  return !std::holds_alternative<Primitive>(resolve(*type.element).kind);
+}
 
-  std::string_view read_string(std::uint32_t bound) {
-    const auto size = read<std::uint32_t>();  // with its terminating zero
-    if (size == 0) throw Error("a string without end");
-    if (bound != 0 && size > bound + 1) throw Error("a string beyond its bound");
-    const ByteView raw = take(size);
-    if (raw.data[size - 1] != std::byte{0}) throw Error("a string without end");
-    return {reinterpret_cast<const char*>(raw.data), size - 1};
-  }
-
-  std::size_t left() const { return payload_.size - at_; }
-
- private:
-  static constexpr std::size_t kHeaderSize = 4;
-
-  void align(std::size_t size) { at_ = (at_ + size - 1) / size * size; }
-
-  ByteView take(std::size_t size) {
-    if (at_ > payload_.size || size > left()) throw Error("the bytes end early");
-    at_ += size;
-    return {payload_.data + at_ - size, size};
-  }
-
-  ByteView payload_;
-  std::size_t at_ = 0;
-  bool swap_ = false;
-};
+bool is_delimited(const ArrayType& type) {
+  const Type& element = resolve(*type.element);
+  if (const auto* inner = std::get_if<ArrayType>(&element.kind)) return is_delimited(*inner);
+  return !std::holds_alternative<Primitive>(element.kind);
+}
 
 class Walk {
  public:
@@ -76,6 +34,8 @@ class Walk {
   }
   void operator()(const AliasType& type) { value(*type.target); }
   void operator()(const StructType& type) {
+    const bool grows = type.extensibility == Extensibility::kAppendable;
+    const CdrCursor::Delimited part(cursor_, cursor_.is_xcdr2() && grows);
     visitor_.begin_struct(type);
     for (const Member& member : type.members) {
       visitor_.member(member.name);
@@ -83,13 +43,14 @@ class Walk {
     }
     visitor_.end_struct();
   }
-  void operator()(const ArrayType& type) { dimension(type, 0); }
+  void operator()(const ArrayType& type) {
+    const CdrCursor::Delimited part(cursor_, cursor_.is_xcdr2() && is_delimited(type));
+    dimension(type, 0);
+  }
   void operator()(const SequenceType& type) {
-    const auto size = cursor_.read<std::uint32_t>();
+    const CdrCursor::Delimited part(cursor_, cursor_.is_xcdr2() && is_delimited(type));
+    const auto size = cursor_.checked_size(cursor_.read<std::uint32_t>());
     if (type.bound != 0 && size > type.bound) throw Error("a sequence beyond its bound");
-    // Every element takes at least a byte: refuses absurd lengths before anybody makes room for
-    // them.
-    if (size > cursor_.left()) throw Error("the bytes end early");
     visitor_.begin_list(size, true);
     for (std::uint32_t i = 0; i < size; ++i) value(*type.element);
     visitor_.end_list();
@@ -97,8 +58,13 @@ class Walk {
 
  private:
   void dimension(const ArrayType& type, std::size_t depth) {
-    if (depth == type.dimensions.size()) return value(*type.element);
-    visitor_.begin_list(type.dimensions[depth], false);
+    if (depth == type.dimensions.size()) {
+      // An array of arrays is one array to Cyclone, with typedefs in between as without.
+      const Type& element = resolve(*type.element);
+      if (const auto* inner = std::get_if<ArrayType>(&element.kind)) return dimension(*inner, 0);
+      return value(element);
+    }
+    visitor_.begin_list(cursor_.checked_size(type.dimensions[depth]), false);
     for (std::uint32_t i = 0; i < type.dimensions[depth]; ++i) dimension(type, depth + 1);
     visitor_.end_list();
   }
@@ -133,7 +99,7 @@ class Walk {
     throw Error("unknown primitive");
   }
 
-  Cursor cursor_;
+  CdrCursor cursor_;
   SampleVisitor& visitor_;
 };
 

@@ -38,8 +38,8 @@ class SampleVisitor {
   virtual void scalar(const Scalar& value) = 0;
 };
 
-/// Walks the CDR bytes of a sample (header first, XCDR1, either byte order). Throws Error, naming
-/// the type, when the bytes end early, a bound is exceeded or the representation is another.
+/// Walks the CDR bytes of a sample (header first, XCDR1 or XCDR2, either byte order). Throws Error,
+/// naming the type, when the bytes end early, a bound is exceeded or the representation is another.
 void visit_sample(const TypeModel& model, ByteView cdr, SampleVisitor& visitor);
 
 }  // namespace scarab::bus

@@ -25,7 +25,9 @@ Error no_sample(const dds_topic_descriptor_t& type, const std::string& why) {
 /// Serialises into a stream whose memory is freed with it.
 class OutputStream {
  public:
-  OutputStream() { dds_ostream_init(&stream_, 512, CDR_ENC_VERSION_1); }
+  explicit OutputStream(std::uint32_t xcdr_version) {
+    dds_ostream_init(&stream_, 512, xcdr_version);
+  }
   OutputStream(const OutputStream&) = delete;
   OutputStream& operator=(const OutputStream&) = delete;
   ~OutputStream() { dds_ostream_fini(&stream_); }
@@ -40,6 +42,15 @@ class OutputStream {
  private:
   dds_ostream_t stream_{};
 };
+
+/// The second byte of the encapsulation header, little-endian; the first is 0.
+std::byte encapsulation_id(const dds_topic_descriptor_t& type, bool xcdr2) {
+  if (!xcdr2) return std::byte{1};  // CDR
+  ddsi_sertype_extensibility extensibility = DDSI_SERTYPE_EXT_FINAL;
+  dds_stream_extensibility(type.m_ops, &extensibility);
+  return std::byte{extensibility == DDSI_SERTYPE_EXT_APPENDABLE ? std::uint8_t{9}    // DELIMIT_CDR2
+                                                                : std::uint8_t{7}};  // PLAIN_CDR2
+}
 
 void decode_payload(const dds_topic_descriptor_t& type, ByteView payload, bool swap,
                     std::uint32_t version, void* sample) {
@@ -61,12 +72,13 @@ void decode_payload(const dds_topic_descriptor_t& type, ByteView payload, bool s
 }  // namespace
 
 Bytes encode_sample(const dds_topic_descriptor_t& type, const void* sample) {
-  OutputStream stream;
+  const bool xcdr2 = dds_stream_minimum_xcdr_version(type.m_ops) == CDR_ENC_VERSION_2;
+  OutputStream stream(xcdr2 ? CDR_ENC_VERSION_2 : CDR_ENC_VERSION_1);
   if (!stream.write(sample, type.m_ops)) throw no_sample(type, "a value that is not of its type");
   const ByteView payload = stream.bytes();
   const std::size_t padding = (4 - payload.size % 4) % 4;
   Bytes out(kHeaderSize + payload.size + padding, std::byte{0});
-  out[1] = std::byte{1};  // plain CDR, little-endian
+  out[1] = encapsulation_id(type, xcdr2);
   out[3] = static_cast<std::byte>(padding);
   std::copy_n(payload.data, payload.size, out.begin() + kHeaderSize);
   return out;

@@ -31,9 +31,10 @@ struct RawSample {
   std::uint64_t writer = 0;       ///< the writer's instance handle
 };
 
-/// The bytes of a sample of the type: XCDR1, little-endian, header first, padded with zeros to a
-/// multiple of 4; byte for byte what a type-less reader takes when a Writer writes the sample.
-/// Throws Error for a sample that cannot be encoded (an enum value that is none).
+/// The bytes of a sample of the type: XCDR1 (for types with appendable parts, which Cyclone does
+/// not write so, XCDR2), little-endian, header first, padded with zeros to a multiple of 4; byte
+/// for byte what a type-less reader takes when a Writer writes the sample. Throws Error for a
+/// sample that cannot be encoded (an enum value that is none).
 Bytes encode_sample(const dds_topic_descriptor_t& type, const void* sample);
 
 /// Decodes bytes of any byte order into `sample`, zeroed memory of the type's size; its strings and

@@ -94,8 +94,8 @@ class TypeModel {
   explicit TypeModel(TypeRef root);
 
   /// The model of a compiled or discovered topic type. Throws Error for one without type
-  /// information, and for what this project and the readers of its logs do not know: unions, maps,
-  /// bitmasks, wide strings, optional members, inheritance, extensible types.
+  /// information, and for what has no place in it: unions, maps, bit sets and masks, wide text,
+  /// optional members, mutable types.
   static TypeModel from_descriptor(const dds_topic_descriptor_t& descriptor);
 
   /// The scoped name, such as scarab::RobotState.

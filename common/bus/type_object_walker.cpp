@@ -92,6 +92,24 @@ const std::map<int, Primitive>& primitives() {
   return kinds;
 }
 
+/// What TypeModel has no place for, by the kind of a type identifier or type object.
+std::string construct_name(int kind) {
+  static const std::map<int, const char*> names{
+      {DDS_XTypes_TK_UNION, "union"},
+      {DDS_XTypes_TK_BITMASK, "bitmask"},
+      {DDS_XTypes_TK_BITSET, "bitset"},
+      {DDS_XTypes_TK_MAP, "map"},
+      {DDS_XTypes_TI_PLAIN_MAP_SMALL, "map"},
+      {DDS_XTypes_TI_PLAIN_MAP_LARGE, "map"},
+      {DDS_XTypes_TI_STRING16_SMALL, "wide string"},
+      {DDS_XTypes_TI_STRING16_LARGE, "wide string"},
+      {DDS_XTypes_TK_CHAR16, "wide character"},
+      {DDS_XTypes_TK_FLOAT128, "long double"},
+      {DDS_XTypes_TI_STRONGLY_CONNECTED_COMPONENT, "type that contains itself"}};
+  const auto found = names.find(kind);
+  return found == names.end() ? "type kind " + std::to_string(kind) : found->second;
+}
+
 TypeRef Walker::type_of(const TypeIdentifier& id) {
   const auto primitive = primitives().find(id._d);
   if (primitive != primitives().end()) return make(primitive->second);
@@ -114,7 +132,7 @@ TypeRef Walker::type_of(const TypeIdentifier& id) {
     case DDS_XTypes_EK_COMPLETE:
       return named(id);
     default:
-      throw unsupported("type identifier " + std::to_string(id._d) + " (wide string, map, ...)");
+      throw unsupported(construct_name(id._d));
   }
 }
 
@@ -150,16 +168,25 @@ TypeRef Walker::object_type(const DDS_XTypes_CompleteTypeObject& object) {
           ArrayType{type_of(array.element.common.type), dimensions(array.header.common.bound_seq)});
     }
     default:
-      throw unsupported("type kind " + std::to_string(object._d) + " (union, map, bitmask, ...)");
+      throw unsupported(construct_name(object._d));
   }
 }
 
 TypeRef Walker::struct_type(const DDS_XTypes_CompleteStructType& from) {
   StructType out{from.header.detail.type_name, {}};
-  if ((from.struct_flags & (DDS_XTypes_IS_APPENDABLE | DDS_XTypes_IS_MUTABLE)) != 0) {
-    throw unsupported("extensible struct " + out.name);
+  if ((from.struct_flags & DDS_XTypes_IS_MUTABLE) != 0) {
+    throw unsupported("mutable struct " + out.name);
   }
-  if (from.header.base_type._d != DDS_XTypes_TK_NONE) throw unsupported("base of " + out.name);
+  if ((from.struct_flags & DDS_XTypes_IS_APPENDABLE) != 0) {
+    out.extensibility = Extensibility::kAppendable;
+  }
+  if (from.header.base_type._d != DDS_XTypes_TK_NONE) {
+    // On the wire the members of a base are just the first ones.
+    const TypeRef base = type_of(from.header.base_type);
+    const auto* structure = std::get_if<StructType>(&resolve(*base).kind);
+    if (structure == nullptr) throw unsupported("base of " + out.name);
+    out.members = structure->members;
+  }
   for (const auto& member : elements(from.member_seq)) {
     const unsigned flags = member.common.member_flags;
     if ((flags & DDS_XTypes_IS_OPTIONAL) != 0) {
