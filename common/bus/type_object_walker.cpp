@@ -110,6 +110,17 @@ std::string construct_name(int kind) {
   return found == names.end() ? "type kind " + std::to_string(kind) : found->second;
 }
 
+std::string construct_name(const DDS_XTypes_CompleteTypeObject& object) {
+  const std::string kind = construct_name(object._d) + " ";
+  if (object._d == DDS_XTypes_TK_UNION) {
+    return kind + object._u.union_type.header.detail.type_name;
+  }
+  if (object._d == DDS_XTypes_TK_BITMASK) {
+    return kind + object._u.bitmask_type.header.detail.type_name;
+  }
+  return construct_name(object._d);
+}
+
 TypeRef Walker::type_of(const TypeIdentifier& id) {
   const auto primitive = primitives().find(id._d);
   if (primitive != primitives().end()) return make(primitive->second);
@@ -168,7 +179,7 @@ TypeRef Walker::object_type(const DDS_XTypes_CompleteTypeObject& object) {
           ArrayType{type_of(array.element.common.type), dimensions(array.header.common.bound_seq)});
     }
     default:
-      throw unsupported(construct_name(object._d));
+      throw unsupported(construct_name(object));
   }
 }
 
@@ -190,7 +201,7 @@ TypeRef Walker::struct_type(const DDS_XTypes_CompleteStructType& from) {
   for (const auto& member : elements(from.member_seq)) {
     const unsigned flags = member.common.member_flags;
     if ((flags & DDS_XTypes_IS_OPTIONAL) != 0) {
-      throw unsupported("optional member " + out.name + "." + member.detail.name);
+      throw unsupported(std::string("optional member ") + member.detail.name);
     }
     out.members.push_back({member.detail.name, type_of(member.common.member_type_id),
                            (flags & DDS_XTypes_IS_KEY) != 0});
@@ -201,7 +212,8 @@ TypeRef Walker::struct_type(const DDS_XTypes_CompleteStructType& from) {
 TypeRef Walker::enum_type(const DDS_XTypes_CompleteEnumeratedType& from) {
   EnumType out{from.header.detail.type_name, {}};
   if (from.header.common.bit_bound > 32 || from.header.common.bit_bound <= 16) {
-    throw unsupported("enum " + out.name + " of other than 32 bits");
+    throw unsupported("enum " + out.name + " of " + std::to_string(from.header.common.bit_bound) +
+                      " bits");
   }
   for (const auto& literal : elements(from.literal_seq)) {
     out.literals.push_back({literal.detail.name, literal.common.value});

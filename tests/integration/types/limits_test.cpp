@@ -1,0 +1,122 @@
+// What cannot be decoded: it must be said clearly, and must not keep the topic from being recorded.
+#include <gmock/gmock.h>
+#include <wire_types.h>
+
+#include "common/bus/discovery.hpp"
+#include "common/bus/error.hpp"
+#include "common/bus/known_types.hpp"
+#include "common/bus/raw_reader.hpp"
+#include "common/bus/raw_writer.hpp"
+#include "common/bus/sample_text.hpp"
+#include "common/bus/stored_type.hpp"
+#include "common/bus/type_model.hpp"
+#include "tests/integration/types/any_endpoint.hpp"
+#include "tests/integration/types/sample_filler.hpp"
+#include "tests/support/test_bus.hpp"
+
+namespace scarab::test {
+namespace {
+
+using std::chrono::seconds;
+using testing::HasSubstr;
+using testing::StrEq;
+using testing::ThrowsMessage;
+
+struct Limit {
+  const dds_topic_descriptor_t* type;
+  const char* error;
+};
+void PrintTo(const Limit& limit, std::ostream* out) { *out << limit.type->m_typename; }
+
+struct Undecodable : testing::TestWithParam<Limit> {};
+
+TEST_P(Undecodable, IsAnErrorThatNamesTheConstruct) {
+  const dds_topic_descriptor_t& type = *GetParam().type;
+  EXPECT_THAT([&] { bus::TypeModel::from_descriptor(type); },
+              ThrowsMessage<bus::Error>(StrEq(GetParam().error)));
+}
+
+const Limit kLimits[] = {
+    {&wire_WithUnion_desc, "type wire::WithUnion: union wire::Choice not supported"},
+    {&wire_WithBitmask_desc, "type wire::WithBitmask: bitmask wire::Marks not supported"},
+    {&wire_WithOptional_desc, "type wire::WithOptional: optional member maybe not supported"},
+    {&wire_WithSmallEnum_desc,
+     "type wire::WithSmallEnum: enum wire::Small of 8 bits not supported"},
+    {&wire_WithNumbers_desc,
+     "type wire::WithNumbers: mutable struct wire::WithNumbers not supported"},
+};
+INSTANTIATE_TEST_SUITE_P(, Undecodable, testing::ValuesIn(kLimits), [](const auto& limit) {
+  return std::string(limit.param.type->m_typename).substr(6);
+});
+
+struct Silent : testing::Test {
+  bus::Participant foreign{test_options("")};
+  bus::Participant logger{test_options("logger")};
+  bus::Discovery discovery{logger};
+
+  bus::DiscoveredEndpoint discover(const std::string& topic) {
+    bus::DiscoveredEndpoint found;
+    EXPECT_TRUE(eventually([&] {
+      for (const auto& endpoint : discovery.update()) {
+        if (endpoint.topic == topic) found = endpoint;
+      }
+      return !found.topic.empty();
+    }));
+    return found;
+  }
+};
+
+/// A type as Fast DDS announces it: by its name.
+dds_topic_descriptor_t without_information(const dds_topic_descriptor_t& from) {
+  const std::uint32_t flags = from.m_flagset & ~std::uint32_t{DDS_TOPIC_XTYPES_METADATA};
+  return {from.m_size,     from.m_align, flags,       from.m_nkeys,
+          from.m_typename, from.m_keys,  from.m_nops, from.m_ops,
+          from.m_meta,     {},           {},          0};
+}
+
+TEST_F(Silent, WriterOfAForeignTypeIsReportedAsSuch) {
+  const auto type = without_information(wire_Single_desc);
+  AnyWriter writer(foreign, "wire/single", type);
+  const bus::DiscoveredEndpoint found = discover("wire/single");
+  EXPECT_EQ(found.type, "wire::Single");
+  EXPECT_THAT([&] { discovery.type_of(found, seconds(10)); },
+              ThrowsMessage<bus::Error>(
+                  StrEq("type wire::Single of wire/single: its writer sends no type information, "
+                        "and it is none of Scarab's own")));
+}
+
+TEST_F(Silent, WriterOfAKnownTypeIsRead) {
+  for (const std::string& name : bus::known_type_names()) {
+    SCOPED_TRACE(name);
+    const dds_topic_descriptor_t& compiled = *bus::find_known_type(name);
+    const auto silent = without_information(compiled);
+    const std::string topic = "somewhere/" + name.substr(8);
+    AnyWriter writer(foreign, topic, silent);
+    const bus::DiscoveredEndpoint found = discover(topic);
+    const bus::TopicType type = discovery.type_of(found, seconds(10));
+    bus::RawReader reader(logger, {found}, type);
+    const FilledSample sample(compiled);
+    writer.write(sample.get());
+    const std::vector<Taken> taken = take_some(reader, 1);
+    ASSERT_EQ(taken.size(), 1U);
+    EXPECT_EQ(bus::json_text(bus::TypeModel::from_descriptor(*type), taken[0].cdr), sample.json());
+  }
+}
+
+TEST_F(Silent, UndecodableTypeIsStillPublishedAgain) {
+  wire_WithUnion sample{};
+  sample.id = 7;
+  sample.choice._d = 1;
+  sample.choice._u.number = -9;
+  const bus::StoredType stored = bus::store_type(wire_WithUnion_desc);
+  bus::RawWriter writer(logger, "wire/union", bus::restore_type(logger, stored), kept());
+  AnyReader reader(foreign, "wire/union", wire_WithUnion_desc);
+  const bus::Bytes cdr = bus::encode_sample(wire_WithUnion_desc, &sample);
+  writer.write(cdr);
+  const std::vector<Taken> taken = take_some(reader, 1);
+  ASSERT_EQ(taken.size(), 1U);
+  EXPECT_EQ(taken[0].cdr, cdr);
+}
+
+}  // namespace
+}  // namespace scarab::test
