@@ -5,9 +5,9 @@ import subprocess
 import tempfile
 import time
 from pathlib import Path
-from typing import List, Sequence
+from typing import Sequence
 
-from .failure import Failure, Interrupted
+from .failure import Failure
 from .foreground import run_in_front
 from .log_files import is_open
 from .places import Places
@@ -20,12 +20,12 @@ _CHUNK_POLL_S = 0.2
 
 def draw_figure(places: Places, logs: Sequence[Path], trial: int, prefix: Path, signals: Signals) -> None:
     """Writes <prefix>.csv, .svg and .png. Failure with the reason where that does not work."""
+    def extract(topic: str, table: Path) -> None:
+        _run([places.program("scarab-log"), "export", *logs, "--format", "csv",
+              "--topic", f"scarab/{topic}", "--trial", str(trial)], table, signals)
+
     with tempfile.TemporaryDirectory(dir=prefix.parent, prefix=".figure7-") as room:
         behaviour, robot_state = Path(room) / "behaviour.csv", Path(room) / "robot_state.csv"
-
-        def extract(topic: str, table: Path) -> None:
-            table.write_text("".join(trial_rows(places, logs, topic, trial, Path(room) / "part.csv", signals)))
-
         extract("behaviour", behaviour)
         patience_ends = time.monotonic() + _CHUNK_PATIENCE_S
         while (is_open(logs[-1]) and not _shows_the_end(behaviour)
@@ -36,31 +36,6 @@ def draw_figure(places: Places, logs: Sequence[Path], trial: int, prefix: Path, 
         script = places.root / "deploy" / "plot" / "figure7.py"
         _run(["/usr/bin/python3", script, "--behaviour", behaviour, "--robot-state", robot_state,
               "--output", prefix], None, signals)
-
-
-def trial_rows(places: Places, logs: Sequence[Path], topic: str, trial: int, part: Path,
-               signals: Signals) -> List[str]:
-    """The lines of a trial's table, which may go on from one file to the next. Failure where no file can be read."""
-    heading, rows, failure = "", [], None
-    for log in reversed(logs):  # the trial is one of the last
-        try:
-            _run([places.program("scarab-log"), "export", log, "--format", "csv",
-                  "--topic", f"scarab/{topic}", "--trial", str(trial)], part, signals)
-        except Interrupted:
-            raise
-        except Failure as of_this:  # such as of a file that has no sample of the topic as yet
-            failure = of_this
-            continue
-        with open(part) as table:
-            heading, *found = [*table] or [""]
-        if rows and not found:
-            break
-        if rows and found[-1] == rows[0]:  # a restarted logger is told the newest sample once more
-            found.pop()
-        rows = found + rows
-    if failure and not heading:
-        raise failure
-    return [heading, *rows]
 
 
 def first_trial(results: Path) -> int:

@@ -36,11 +36,11 @@ def join_tables(behaviour: Path, robot_state: Path) -> SignalTable:
 
 
 def joined(decided: Sequence[Row], measured: Sequence[Row], origin: str) -> SignalTable:
-    """Rows of scarab/behaviour with those of scarab/robot_state at the same time."""
+    """Rows of scarab/behaviour with those of scarab/robot_state at the same time. A sample may be there twice: a
+    restarted logger is told the newest once more."""
     at_time = {int(row["header.sim_time_ns"]): row for row in measured}
     rows = []
-    for row in decided:
-        time_ns = int(row["header.sim_time_ns"])
+    for time_ns, row in {int(row["header.sim_time_ns"]): row for row in decided}.items():
         if time_ns not in at_time:
             continue
         rows.append({

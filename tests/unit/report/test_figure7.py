@@ -65,6 +65,13 @@ class Figure7(unittest.TestCase):
         self.assertIn("<svg", (self.room / "figure7.svg").read_text())
         self.assertEqual(len((self.room / "figure7.csv").read_text().splitlines()), 130)
 
+    def test_sample_that_the_log_holds_twice_is_one_row(self):
+        with open(self.behaviour, "a+") as file:
+            file.seek(0)
+            file.write(file.readlines()[-1])
+        self.assertEqual(self.draw(*self.samples()).returncode, 0)
+        self.assertEqual(len((self.room / "figure7.csv").read_text().splitlines()), 130)
+
     def test_drawn_again_from_its_table_it_is_the_same_file(self):
         self.draw(*self.samples())
         first = {name: hashlib.sha256((self.room / name).read_bytes()).hexdigest()
