@@ -6,40 +6,21 @@
 #include "tests/integration/logger/fixture.hpp"
 #include "tests/integration/logger/meadow_topic.hpp"
 #include "tests/interop/mcap/json_array.hpp"
+#include "tests/interop/mcap/npm_readers.hpp"
 
 namespace scarab::logger::test {
 namespace {
 
-using scarab::test::ChildProcess;
 using scarab::test::json_array;
 
 constexpr std::uint32_t kTicks = 120;
 
 class McapInterop : public LoggerTest {
  protected:
-  /// Installs the packages the reader needs, pinned by package-lock.json, into the build directory.
-  static void install_packages(const std::filesystem::path& installed) {
-    std::filesystem::create_directories(installed);
-    const std::filesystem::path source = SCARAB_SOURCE_DIR "/tests/interop/mcap";
-    for (const char* name : {"package.json", "package-lock.json", ".npmrc", "read_mcap.mjs"}) {
-      std::filesystem::copy_file(source / name, installed / name,
-                                 std::filesystem::copy_options::overwrite_existing);
-    }
-    ChildProcess npm({"/usr/bin/env", "npm", "ci", "--prefix", installed.string()},
-                     installed / "npm.log");
-    const auto code = npm.wait(90s);
-    ASSERT_EQ(code, 0) << "npm ci failed (packages nodejs and npm are needed, and a registry):\n"
-                       << npm.output();
-  }
-
   /// Exit code and output of the reader.
-  std::pair<std::optional<int>, std::string> read(const std::filesystem::path& installed,
-                                                  const std::filesystem::path& log) {
-    ChildProcess node({"/usr/bin/env", "node", (installed / "read_mcap.mjs").string(), log.string(),
-                       (folder_ / "expected.json").string()},
-                      folder_ / "node.log");
-    const auto code = node.wait(60s);
-    return {code, node.output()};
+  std::pair<int, std::string> read(const std::filesystem::path& log) const {
+    const auto result = readers_.run("compare_expected.mjs", {log, folder_ / "expected.json"});
+    return {result.exit_code, result.out + result.err};
   }
 
   void publish(bus::Writer<scarab_RobotState>& states, bus::Writer<scarab_WorldState>& worlds,
@@ -132,13 +113,11 @@ class McapInterop : public LoggerTest {
     return R"({"station":-4,"sky":1,"wind_m_s":)" + json_array(weather.wind_m_s) +
            R"(,"remark":"","drops":[)" + drops_json + "]}";
   }
+
+  scarab::test::NpmReaders readers_;
 };
 
 TEST_F(McapInterop, ReadersOfOthersAgreeWithWhatWasSent) {
-  const std::filesystem::path installed = SCARAB_BIN_DIR "/../tests/interop-npm";
-  install_packages(installed);
-  if (HasFatalFailure()) return;
-
   mcap::test::write_file(folder_ / "small.yaml", std::string_view("chunk_size_kib: 32\n"));
   auto logger =
       start({"--output", (folder_ / "x.mcap").string(), "--config",
@@ -164,7 +143,7 @@ TEST_F(McapInterop, ReadersOfOthersAgreeWithWhatWasSent) {
   logger->signal(SIGTERM);
   ASSERT_EQ(logger->wait(20s), 0) << logger->output();
 
-  const auto [code, output] = read(installed, folder_ / "x.mcap");
+  const auto [code, output] = read(folder_ / "x.mcap");
   EXPECT_EQ(code, 0) << output;
   EXPECT_THAT(output, testing::HasSubstr("480 compared with what was sent"));
   std::cout << output;
@@ -175,7 +154,7 @@ TEST_F(McapInterop, ReadersOfOthersAgreeWithWhatWasSent) {
   const mcap::ChunkIndex& chunk = reader.summary().chunks.back();
   bytes.at(chunk.offset + chunk.length - chunk.compressed_size / 2) ^= 0x04U;
   mcap::test::write_file(folder_ / "flipped.mcap", bytes);
-  EXPECT_EQ(read(installed, folder_ / "flipped.mcap").first, 1);
+  EXPECT_EQ(read(folder_ / "flipped.mcap").first, 1);
 }
 
 }  // namespace
