@@ -1,7 +1,6 @@
 /// The recorder killed, restarted, and on a full disk.
 #include <cmath>
 
-#include "common/mcap/recover.hpp"
 #include "tests/integration/logger/fixture.hpp"
 
 namespace scarab::logger::test {
@@ -21,46 +20,6 @@ class Crash : public LoggerTest {
   }
 };
 
-TEST_F(Crash, KilledAtAnyMomentEveryClosedChunkIsThere) {
-  bus::Writer<scarab_RobotState> states(participant_, bus::kRobotState);
-  std::string name = "x.mcap";
-  for (int kill = 0; kill < 3; ++kill) {
-    const std::size_t first = sent_[states.topic()].size();
-    auto logger = start(arguments());
-    ASSERT_TRUE(wait_for_reader(states)) << logger->output();
-    const auto active = folder_ / (name + ".active");
-    std::uint64_t closed_chunks = 0;
-    // Publish until some chunks are closed; then kill at a moment that differs each time.
-    const std::uint32_t trial = static_cast<std::uint32_t>(kill) + 1;
-    std::uint32_t tick = 0;
-    ASSERT_TRUE(eventually([&] {
-      if (may_write(trial, tick)) write(states, robot_state(trial, tick++));
-      closed_chunks = mcap::Reader(active).summary().statistics.chunk_count;
-      return closed_chunks >= static_cast<std::uint64_t>(2 + kill);
-    })) << logger->output();
-    const Samples before_the_kill = read_samples(active);
-    for (int more = 0; more < 17 * kill; ++more) write(states, robot_state(trial, tick++));
-    logger->signal(SIGKILL);
-    ASSERT_EQ(logger->wait(20s), 128 + SIGKILL);
-
-    ASSERT_TRUE(eventually([&] { return states.matched().empty(); }));
-    const auto mended = folder_ / ("mended-" + name);
-    mcap::recover(active, mended);
-    EXPECT_TRUE(mcap::Reader(mended).closed());
-    const auto recorded = read_samples(mended)["scarab/robot_state"];
-    EXPECT_GE(recorded.size(), before_the_kill.at("scarab/robot_state").size());
-    // The first sample may be the last of the run before: one is kept for late joiners.
-    const auto& sent = sent_.at(states.topic());
-    const std::size_t skipped = first > 0 && recorded.at(0) == sent.at(first - 1) ? 1 : 0;
-    ASSERT_LE(recorded.size(), sent.size() - first + skipped);
-    EXPECT_TRUE(std::equal(recorded.begin(), recorded.end(),
-                           sent.begin() + static_cast<std::ptrdiff_t>(first - skipped)))
-        << "a gap or a changed sample";
-    // The next one leaves the file alone and takes another name.
-    name = "x-" + std::to_string(kill + 2) + ".mcap";
-  }
-}
-
 TEST_F(Crash, RestartedItGoesOnReportingWhatItRecords) {
   bus::Writer<scarab_RobotState> states(participant_, bus::kRobotState);
   auto first = start(arguments());
@@ -69,9 +28,8 @@ TEST_F(Crash, RestartedItGoesOnReportingWhatItRecords) {
   ASSERT_TRUE(eventually([&] { return status().recorded_tick == 10; }));
   first->signal(SIGKILL);
   ASSERT_EQ(first->wait(20s), 128 + SIGKILL);
-  ASSERT_TRUE(eventually([&] { return states.matched().empty(); }));
+  // The killed one counts as a reader for 10 s still; the sample is kept for the new one.
   auto second = start(arguments());
-  ASSERT_TRUE(wait_for_reader(states)) << second->output();
   write(states, robot_state(4, 11));
   ASSERT_TRUE(eventually([&] { return status().recorded_tick == 11; })) << second->output();
   EXPECT_EQ(status().recorded_trial, 4U);
