@@ -58,7 +58,7 @@ class Filler {
   }
 
   std::string operator()(const StringType& type) {
-    std::string text = std::to_string(++count_) + " \xC3\xA4 somewhat longer than a key's 16 bytes";
+    std::string text = std::to_string(++count_) + " is more than the 16 bytes of a key, \xC3\xA4";
     if (type.bound == 0) {
       store(dds_string_dup(text.c_str()));
     } else {
