@@ -19,6 +19,8 @@ void add_export(CLI::App& app, Command& chosen);
 /// Exit codes: 0 equal, 1 different, 2 trouble.
 void add_diff(CLI::App& app, Command& chosen);
 void add_recover(CLI::App& app, Command& chosen);
+/// Exit codes: 0 done, or all answers equal; 1 others, or none.
+void add_replay(CLI::App& app, Command& chosen);
 void add_attachments(CLI::App& app, Command& chosen);
 
 }  // namespace scarab::log

@@ -23,6 +23,7 @@ int main(int argc, char** argv) {
   log::add_export(app, command);
   log::add_diff(app, command);
   log::add_recover(app, command);
+  log::add_replay(app, command);
   log::add_attachments(app, command);
   return runtime::run_program(app, argc, argv, [&] { return command(); });
 }

@@ -142,8 +142,8 @@ Found SampleComparison::difference(mcap::ByteView a, mcap::ByteView b) const {
   // Another byte order or representation says the same in other bytes.
   constexpr std::size_t kRepresentation = 2;
   const bool alike = std::equal(a.begin(), a.begin() + kRepresentation, b.begin());
-  const bool strict =
-      lenience_.tolerance == 0 && lenience_.ignored.size() == (have_header_ ? 1U : 0U);
+  const bool strict = !lenience_.values_only && lenience_.tolerance == 0 &&
+                      lenience_.ignored.size() == (have_header_ ? 1U : 0U);
   if (alike && strict) return differing_byte(a, b, have_header_);
   return std::nullopt;
 }

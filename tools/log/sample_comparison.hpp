@@ -12,6 +12,7 @@ namespace scarab::log {
 struct Lenience {
   std::vector<std::string> ignored;  ///< fields, or the beginnings of several (bus::has_column)
   double tolerance = 0;              ///< numbers may differ by this much
+  bool values_only = false;          ///< what stands between the fields does not count
 };
 
 /// The first field in which two samples differ.
