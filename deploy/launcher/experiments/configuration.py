@@ -62,8 +62,11 @@ def resolve_configuration(places: Places, stack: Stack) -> Configuration:
 
 
 def stack_that_reads(stack: Stack, directory: Path) -> Stack:
-    """The stack with the files that Configuration.write has left there, which nobody edits meanwhile."""
+    """The stack with the files that Configuration.write has left there, which nobody edits meanwhile. The logger's,
+    which changes nothing of a result, is not among them."""
     def changed(service):
+        if service.name not in SIMULATED:
+            return service
         return replace(service, robot=directory / _ROBOT if service.robot else None,
                        config=directory / f"{service.name}.yaml" if service.config else None)
 

@@ -32,6 +32,7 @@ class ExperimentTest(FakeStackTest):
         text = STACK
         for name in ("plant", "premotor"):
             text = text.replace(f"scarab-{name},", f"scarab-{name}, config: {file}, robot: {file},")
+        text = text.replace("scarab-logger,", f"scarab-logger, config: {file},")
         self.stack_file.write_text(text.replace(
             "profiles:", f"  supervisor: {{binary: scarab-supervisor, config: {file}, instances: 1, "
             "restart: always, stop_s: 20}\nprofiles:").replace(

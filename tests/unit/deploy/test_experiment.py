@@ -53,6 +53,8 @@ class Runs(ExperimentTest):
             self.assertEqual(code, 0, err)
             self.assertEqual(sorted(file.name for file in self.out.glob("*.mcap*")),
                              [f"trial-{n}.mcap" for n in range(4)])
+        self.assertEqual(self.command_of("scarab-logger")["--config"], str(self.folder / "any.yaml"))
+        self.assertEqual(self.command_of("scarab-plant")["--config"], str(self.out / "config" / "plant.yaml"))
         self.assertEqual(self.living(), [])
 
     def test_trial_whose_log_is_split_is_refused_with_the_reason(self):
