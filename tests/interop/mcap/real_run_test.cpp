@@ -23,8 +23,11 @@ class RealRun : public testing::Test {
     auto experiment = stack.conduct(main_trial());
     EXPECT_EQ(experiment.wait(std::chrono::seconds(30)), 0)
         << experiment.output() << stack.errors();
-    if (recorder_killed) stack.kill("logger");
-    EXPECT_TRUE(stack.stop()) << stack.errors();
+    if (recorder_killed) {
+      stack.kill("logger");
+    } else {
+      EXPECT_TRUE(stack.stop()) << stack.errors();
+    }
     return stack.log();
   }
 
