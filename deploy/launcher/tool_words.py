@@ -7,6 +7,7 @@ from typing import List
 from .failure import Failure, UsageError
 from .log_files import in_words, is_log, log_files
 from .places import Places, shown
+from .run_directory import RunDirectory
 from .syntax import Argument
 from .tool_syntax import tool_syntax
 
@@ -21,6 +22,9 @@ def log_words(words: List[str], places: Places) -> List[str]:
     if words and _looks_like_a_log(words[0]):
         raise UsageError(f"scarab log: {words[0]} is a log, not a command: say what to do with it, such as "
                          f"deploy/scarab log info {words[0]}")
+    if words and RunDirectory(places.runs / LATEST).log_of(words[0]).is_file():
+        raise UsageError(f"scarab log: reads what was recorded; what {words[0]} wrote shows "
+                         f"deploy/scarab logs {words[0]}")
     if not any(logs_meant(word, places) for word in words[1:]):
         return words
     syntax, begin = tool_syntax(places.program("scarab-log"), words)

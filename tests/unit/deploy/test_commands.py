@@ -137,7 +137,7 @@ class Page(unittest.TestCase):
         verbs = all_verbs()
         known = {option for parser in verbs.parsers.values() for action in parser._actions
                  for option in action.option_strings}
-        page = re.sub(r"`(?:drive|--wait)[^`]*`|scarab (?:log|topic) .*", "", PAGE)  # of compiled programs
+        page = re.sub(r"`(?:drive|replay|--wait)[^`]*`|scarab (?:log|topic) .*", "", PAGE)  # of compiled programs
         for option in re.findall(r"(?<![\w-])--[a-z][a-z-]*", page):
             self.assertIn(option, known)
 

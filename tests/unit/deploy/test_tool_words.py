@@ -111,6 +111,12 @@ class ToolWords(unittest.TestCase):
         for log in ("trial.mcap", "runs/1/trial.mcap.active", "latest"):
             self.refused(f"{log} is a log, .* deploy/scarab log info {log}\n", 2, "log", log)
 
+    def test_service_is_a_matter_of_another_verb(self):
+        directory = self.run_with("2026-01-01-1", "trial.mcap")
+        (directory / "logs").mkdir()
+        (directory / "logs" / "premotor.log").write_text("")
+        self.refused("what premotor wrote shows deploy/scarab logs premotor\n", 2, "log", "premotor")
+
     def test_topic_in_the_place_of_the_command_is_none_either(self):
         self.refused("is a topic, .* deploy/scarab topic echo rt/tf\n", 2, "topic", "rt/tf")
 
