@@ -37,7 +37,8 @@ void LogSeries::introduce(RecordedChannel& channel) {
   const ChannelSpec& spec = channel.spec;
   std::uint16_t schema = 0;
   if (!spec.idl.empty()) {
-    const auto [entry, fresh] = schema_ids_.try_emplace(spec.idl, std::uint16_t{0});
+    const auto [entry, fresh] =
+        schema_ids_.try_emplace({spec.type_name, spec.idl}, std::uint16_t{0});
     if (fresh) entry->second = writer_->add_schema(spec.type_name, "omgidl", spec.idl);
     schema = entry->second;
   }
@@ -46,7 +47,7 @@ void LogSeries::introduce(RecordedChannel& channel) {
 
 void LogSeries::add_channel(const ChannelSpec& spec) {
   channels_.push_back({spec, 0});
-  introduce(channels_.back());
+  if (writer_) introduce(channels_.back());
   ++state_.channels;
 }
 

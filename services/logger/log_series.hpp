@@ -6,6 +6,7 @@
 #include <map>
 #include <memory>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "common/mcap/writer.hpp"
@@ -92,7 +93,7 @@ class LogSeries {
   DiskSpace disk_;
   std::unique_ptr<mcap::Writer> writer_;  // none while there is no room
   std::vector<RecordedChannel> channels_;
-  std::map<std::string, std::uint16_t> schema_ids_;  // of the file, by IDL text
+  std::map<std::pair<std::string, std::string>, std::uint16_t> schema_ids_;  // by name and text
   TrialNote trial_;
   std::uint64_t missed_ticks_before_ = 0;
   PartCount part_;

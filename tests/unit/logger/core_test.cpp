@@ -4,9 +4,12 @@
 
 #include "common/bus/cdr.hpp"
 #include "common/bus/topics.hpp"
+#include "services/logger/core/base64.hpp"
 #include "services/logger/core/chain_writers.hpp"
+#include "services/logger/core/disk_guard.hpp"
 #include "services/logger/core/recorded_progress.hpp"
 #include "services/logger/core/sample_header.hpp"
+#include "services/logger/core/state_flags.hpp"
 
 namespace scarab::logger {
 namespace {
@@ -77,6 +80,64 @@ TEST(RecordedProgress, CountsGapsButGoesOn) {
   progress.note(at(1, 43));
   EXPECT_EQ(progress.tick(), 43U);
   EXPECT_EQ(progress.missed_ticks(), 2U);
+}
+
+TEST(StateFlags, AreWhatTheBusEncodes) {
+  const auto flags_of = [](scarab_TrialPhase phase, bool real_time) {
+    scarab_RobotState state{};
+    state.phase = phase;
+    state.real_time = real_time;
+    const bus::Bytes bytes = bus::encode(state);
+    return *read_state_flags(reinterpret_cast<const std::uint8_t*>(bytes.data()), bytes.size());
+  };
+  EXPECT_FALSE(flags_of(scarab_PHASE_RUNNING, false).real_time);
+  EXPECT_TRUE(flags_of(scarab_PHASE_RUNNING, true).real_time);
+  for (const auto phase : {scarab_PHASE_RUNNING, scarab_PHASE_SAFE_STOP, scarab_PHASE_HOMING}) {
+    EXPECT_FALSE(flags_of(phase, false).over) << phase;
+  }
+  EXPECT_TRUE(flags_of(scarab_PHASE_SUCCEEDED, false).over);
+  EXPECT_TRUE(flags_of(scarab_PHASE_FAILED, true).over);
+}
+
+TEST(StateFlags, OfBothByteOrdersAndOfEnoughBytes) {
+  std::uint8_t bytes[33] = {0, 0};  // big-endian
+  bytes[31] = 4;                    // phase
+  bytes[32] = 1;
+  EXPECT_TRUE(read_state_flags(bytes, sizeof(bytes))->over);
+  EXPECT_TRUE(read_state_flags(bytes, sizeof(bytes))->real_time);
+  EXPECT_FALSE(read_state_flags(bytes, sizeof(bytes) - 1).has_value());
+  bytes[1] = 3;  // a parameter list
+  EXPECT_FALSE(read_state_flags(bytes, sizeof(bytes)).has_value());
+}
+
+TEST(DiskGuard, KeepsTheLimitFreeAndBeginsAgainOnlyWithMore) {
+  DiskGuard guard(80);
+  guard.update(80, 0);
+  EXPECT_TRUE(guard.has_room());
+  guard.update(85, 6);
+  EXPECT_FALSE(guard.has_room()) << "what waits counts";
+  guard.update(89, 0);
+  EXPECT_FALSE(guard.has_room());
+  guard.update(90, 0);
+  EXPECT_TRUE(guard.has_room());
+  DiskGuard without(0);
+  without.update(0, 1000);
+  EXPECT_TRUE(without.has_room());
+}
+
+TEST(Base64, IsThatOfTheStandard) {
+  const auto text = [](const std::string& bytes) {
+    return base64(reinterpret_cast<const std::uint8_t*>(bytes.data()), bytes.size());
+  };
+  // RFC 4648, section 10.
+  EXPECT_EQ(text(""), "");
+  EXPECT_EQ(text("f"), "Zg==");
+  EXPECT_EQ(text("fo"), "Zm8=");
+  EXPECT_EQ(text("foo"), "Zm9v");
+  EXPECT_EQ(text("foob"), "Zm9vYg==");
+  EXPECT_EQ(text("fooba"), "Zm9vYmE=");
+  EXPECT_EQ(text("foobar"), "Zm9vYmFy");
+  EXPECT_EQ(text("\xFB\xFF\xFE"), "+//+");
 }
 
 TEST(ChainWriters, AreThoseOfTheExpectedServices) {
