@@ -163,7 +163,7 @@ const BadIdl kBad[] = {
     {"struct T { map<long, long> a; };", "map in this place not supported"},
     {"struct T { long double a; };", "long double not supported"},
     {"@mutable struct T { long a; };", "mutable struct T not supported"},
-    {"@bit_bound(8) enum E { A }; struct T { E e; };", "enum E of other than 32 bits"},
+    {"@bit_bound(8) enum E { A }; struct T { E e; };", "enum E of 8 bits not supported"},
     {"enum E { @value(3000000000) A };", "a value of E beyond 32 bits"},
     {"\nunion T switch (long) { case 0: long a; };", "line 2: union not supported"},
     {"bitmask T { A };", "bitmask not supported"},
