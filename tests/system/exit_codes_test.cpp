@@ -130,7 +130,7 @@ void ExitCodes::tools() {
   write_text(directory_ / "bad.yaml", "no_such_key: 1\n");
   expect(2, "scarab-config", {"check", "--kind", "plant", directory_ / "bad.yaml"});
   expect(0, "scarab-topic", {"list", "--tag", test_tag()});
-  expect(1, "scarab-topic", {"echo", "scarab/none", "--tag", test_tag()});
+  expect(4, "scarab-topic", {"echo", "scarab/none", "--tag", test_tag()});
   expect(2, "scarab-topic", {"--no-such-option"});
   expect_at_signal(130, "scarab-topic", {"hz", "scarab/trial", "--tag", test_tag()}, SIGINT);
   expect(1, "scarab-operator", {"pause", "--tag", test_tag()});

@@ -2,33 +2,35 @@
 
 #include <chrono>
 #include <cstdint>
+#include <functional>
 #include <string>
 
 #include "common/runtime/options.hpp"
 
-/// What scarab-topic does; each prints to standard output and returns the program's exit code. They
-/// need a runtime::SignalBlock made before and throw bus::Error for what goes wrong.
+namespace CLI {
+class App;
+}
+
+/// The commands of scarab-topic. Each adds itself with its options and help to the program, and
+/// puts what it does into the choice when the command line names it.
 namespace scarab::topic {
 
-struct ListOptions {
-  std::chrono::milliseconds timeout{1000};
-  bool verbose = false;
+/// What the command line asks for.
+struct Choice {
+  runtime::BusOptions bus;
+  std::function<int()> run;  ///< prints to standard output and returns the exit code
 };
 
-/// One line a topic: type, writers, readers.
-int list(const runtime::BusOptions& bus_options, const ListOptions& options);
-
-struct EchoOptions {
-  std::string topic;
-  std::chrono::milliseconds timeout{2000};  ///< how long to wait for a writer
-  std::uint64_t count = 0;                  ///< samples; 0: until Ctrl-C
-  bool json = false;
-};
-
-/// Every sample of a topic, as YAML documents or as lines of JSON.
-int echo(const runtime::BusOptions& bus_options, const EchoOptions& options);
-
-/// The rate of a topic, a line a second; `count` lines.
-int rate(const runtime::BusOptions& bus_options, const EchoOptions& options);
+void add_list(CLI::App& app, Choice& choice);
+void add_info(CLI::App& app, Choice& choice);
+void add_type(CLI::App& app, Choice& choice);
+void add_fields(CLI::App& app, Choice& choice);
+void add_echo(CLI::App& app, Choice& choice);
+void add_hz(CLI::App& app, Choice& choice);
+void add_bw(CLI::App& app, Choice& choice);
+void add_delay(CLI::App& app, Choice& choice);
+void add_pub(CLI::App& app, Choice& choice);
+void add_ps(CLI::App& app, Choice& choice);
+void add_wait(CLI::App& app, Choice& choice);
 
 }  // namespace scarab::topic

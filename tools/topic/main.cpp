@@ -1,63 +1,55 @@
 #include <CLI/CLI.hpp>
+#include <csignal>
+#include <iostream>
 
 #include "common/runtime/program.hpp"
 #include "common/runtime/shutdown.hpp"
 #include "tools/topic/commands.hpp"
+#include "tools/topic/failure.hpp"
 
 using namespace scarab;
 
 namespace {
 
-void add_topic_options(CLI::App& command, topic::EchoOptions& options, const char* count_help) {
-  command.add_option("topic", options.topic, "such as scarab/robot_state")->required();
-  command.add_option("--count", options.count, count_help)->check(CLI::PositiveNumber);
-}
+constexpr const char* kFooter =
+    "Examples:\n"
+    "  scarab-topic list\n"
+    "  scarab-topic echo scarab/robot_state --once\n"
+    "  scarab-topic hz scarab/joint_command\n"
+    "  scarab-topic pub scarab/operator '{command: OPERATOR_PAUSE}'\n"
+    "  scarab-topic COMMAND --help\n"
+    "It takes part in the domain like any other program and looks at the topics of every DDS "
+    "system\n"
+    "whose writers send type information.\n"
+    "Exit codes: 0 done, 1 failed, 2 bad usage, 3 what was waited for did not come in time, 4 no\n"
+    "such topic, 5 type unknown, 130 interrupted.";
 
-void add_timeout(CLI::App& command, double& timeout_s, const char* help) {
-  command.add_option("--timeout", timeout_s, help)
-      ->capture_default_str()
-      ->check(CLI::Range(0.01, 3600.0));
-}
-
-std::chrono::milliseconds milliseconds(double seconds) {
-  return std::chrono::milliseconds(static_cast<std::int64_t>(seconds * 1000.0));
+int run(const std::function<int()>& command) {
+  const runtime::SignalBlock signals;
+  std::signal(SIGPIPE, SIG_IGN);  // a reader that has gone is noticed where it is written to
+  try {
+    return command();
+  } catch (const topic::Failure& failure) {
+    std::cerr << "scarab-topic: " << failure.what() << '\n';
+    return failure.exit_code();
+  } catch (const topic::Interrupted&) {
+    return runtime::kExitInterrupted;
+  }
 }
 
 }  // namespace
 
 int main(int argc, char** argv) {
-  CLI::App app{"Looks at DDS topics of any type.", "scarab-topic"};
-  runtime::BusOptions bus_options;
-  topic::ListOptions list;
-  topic::EchoOptions echo;
-  double timeout_s = 2.0;
-  runtime::add_bus_options(app, bus_options);
+  CLI::App app{"Looks at DDS topics of any type, and publishes them.", "scarab-topic"};
+  topic::Choice choice;
+  runtime::add_bus_options(app, choice.bus);
   app.require_subcommand(1);
   app.fallthrough();
-  app.footer(
-      "Examples:\n"
-      "  scarab-topic list --verbose\n"
-      "  scarab-topic echo scarab/robot_state --count 1\n"
-      "  scarab-topic echo scarab/behaviour --json\n"
-      "  scarab-topic hz scarab/joint_command\n"
-      "Exit codes: 0 done, 1 failed (no such topic, unknown type), 2 bad usage, 130 interrupted.");
-
-  CLI::App* list_command = app.add_subcommand("list", "topics, their types, writers and readers");
-  list_command->add_flag("-v,--verbose", list.verbose, "each endpoint with its QoS");
-  add_timeout(*list_command, timeout_s, "s to look for somebody at most");
-  CLI::App* echo_command = app.add_subcommand("echo", "print the samples of a topic as YAML");
-  add_topic_options(*echo_command, echo, "samples; without it, until Ctrl-C");
-  echo_command->add_flag("--json", echo.json, "one line of JSON a sample");
-  add_timeout(*echo_command, timeout_s, "s to wait for a writer");
-  CLI::App* rate_command = app.add_subcommand("hz", "print the rate of a topic, a line a second");
-  add_topic_options(*rate_command, echo, "lines; without it, until Ctrl-C");
-  add_timeout(*rate_command, timeout_s, "s to wait for a writer");
-
-  return runtime::run_program(app, argc, argv, [&] {
-    const runtime::SignalBlock signals;
-    list.timeout = echo.timeout = milliseconds(timeout_s);
-    if (list_command->parsed()) return topic::list(bus_options, list);
-    if (rate_command->parsed()) return topic::rate(bus_options, echo);
-    return topic::echo(bus_options, echo);
-  });
+  for (const auto add : {topic::add_list, topic::add_info, topic::add_type, topic::add_fields,
+                         topic::add_echo, topic::add_hz, topic::add_bw, topic::add_delay,
+                         topic::add_pub, topic::add_ps, topic::add_wait}) {
+    add(app, choice);
+  }
+  app.footer(kFooter);
+  return runtime::run_program(app, argc, argv, [&] { return run(choice.run); });
 }

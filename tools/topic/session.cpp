@@ -1,76 +1,132 @@
 #include "tools/topic/session.hpp"
 
 #include <algorithm>
-#include <array>
 
-#include "tools/topic/topic_table.hpp"
+#include "tools/topic/failure.hpp"
 
 namespace scarab::topic {
 
 namespace {
 
-using Clock = std::chrono::steady_clock;
 using bus::DiscoveredEndpoint;
+using bus::EndpointKind;
 
-// Participants on one machine know each other within some 10 ms; of a stack of 30, within 1 s.
-constexpr std::chrono::milliseconds kQuiet{300};
+// The process of an endpoint answers within milliseconds, or not at all.
+constexpr std::chrono::milliseconds kTypePatience{1000};
+
+Failure no_such_topic(const std::string& topic, const DomainView& view, std::uint32_t domain,
+                      bool writers_only) {
+  std::string readers;
+  for (const auto& reader : view.of_topic(topic, EndpointKind::kReader)) {
+    readers += (readers.empty() ? "" : ", ") + view.name_of(reader);
+  }
+  if (writers_only && !readers.empty()) {
+    return Failure(kExitNoTopic, topic + " has no writer; it is read by " + readers);
+  }
+  const std::vector<std::string> known = view.topics();
+  const std::string where = "no topic " + topic + " in domain " + std::to_string(domain);
+  if (known.empty()) return Failure(kExitNoTopic, where + "; it has none at all");
+  std::string hint = did_you_mean(topic, known);
+  if (hint.empty()) {
+    for (const std::string& name : known) hint += (hint.empty() ? "; there are " : ", ") + name;
+  }
+  return Failure(kExitNoTopic, where + hint);
+}
 
 }  // namespace
 
 Session::Session(const runtime::BusOptions& options)
     : participant_(options.participant("topic", 0)),
       discovery_(participant_),
+      participants_(participant_),
       guard_(participant_),
       shutdown_(guard_),
-      waitset_(participant_) {
+      waitset_(participant_),
+      output_([this] { return interrupted(); }) {
   waitset_.attach(guard_);
   waitset_.attach(discovery_);
 }
 
-std::vector<DiscoveredEndpoint> Session::settle(std::chrono::milliseconds limit) {
-  const auto end = Clock::now() + limit;
-  while (!interrupted() && Clock::now() < end) {
-    // While there is nobody at all, somebody may still be about to answer.
-    const auto patience = others().empty() ? end - Clock::now() : Clock::duration(kQuiet);
-    if (!waitset_.wait(patience)) break;
-    discovery_.update();
+bool Session::wait(Clock::time_point end) {
+  // Looks up at least this often: whether somebody still reads what is printed.
+  constexpr std::chrono::seconds kLongest{1};
+  const auto now = Clock::now();
+  waitset_.wait(std::min<Clock::duration>(std::max(end, now) - now, kLongest));
+  arrivals_ += discovery_.update().size();
+  participants_.update();
+  return Clock::now() < end;
+}
+
+DomainView Session::view() const {
+  DomainView out{participants_.all(), {}};
+  out.participants.erase(participants_.self());
+  for (DiscoveredEndpoint& endpoint : discovery_.endpoints()) {
+    if (endpoint.participant != participants_.self()) out.endpoints.push_back(std::move(endpoint));
   }
-  return others();
+  return out;
+}
+
+DomainView Session::settle(std::chrono::milliseconds limit, std::chrono::milliseconds quiet) {
+  const auto end = after(limit);
+  auto quiet_end = end;
+  while (!interrupted()) {
+    const std::uint64_t before = arrivals_;
+    const bool more = wait(std::min(end, quiet_end));
+    if (!more) return view();
+    // While there is nobody at all, somebody may still be about to answer.
+    if (arrivals_ != before && !view().endpoints.empty()) quiet_end = after(quiet);
+  }
+  throw Interrupted{};
 }
 
 std::vector<DiscoveredEndpoint> Session::wait_for_writers(const std::string& topic,
-                                                          std::chrono::milliseconds limit) {
-  const auto end = Clock::now() + limit;
+                                                          Clock::time_point end) {
+  bool more = true;
   while (!interrupted()) {
-    discovery_.update();
-    std::vector<DiscoveredEndpoint> writers;
-    for (const DiscoveredEndpoint& endpoint : others()) {
-      const bool writes = endpoint.kind == bus::EndpointKind::kWriter;
-      if (writes && endpoint.topic == topic) writers.push_back(endpoint);
-    }
+    auto writers = view().of_topic(topic, EndpointKind::kWriter);
     if (!writers.empty()) return writers;
-    if (Clock::now() >= end) break;
-    waitset_.wait(end - Clock::now());
+    if (!more) throw no_such_topic(topic, view(), participant_.options().domain, true);
+    more = wait(end);
   }
-  if (interrupted()) return {};
-  std::string known;
-  for (const std::string& name : written_topics(others())) {
-    known += (known.empty() ? "" : ", ") + name;
-  }
-  throw bus::Error("no such topic: " + topic + " has no writer in domain " +
-                   std::to_string(participant_.options().domain) +
-                   "; there are: " + (known.empty() ? "none" : known));
+  throw Interrupted{};
 }
 
-std::vector<DiscoveredEndpoint> Session::others() const {
-  dds_guid_t self{};
-  bus::check(dds_get_guid(participant_.handle(), &self), "participant");
-  std::vector<DiscoveredEndpoint> out;
-  for (DiscoveredEndpoint& endpoint : discovery_.endpoints()) {
-    const bool own = std::equal(endpoint.participant.begin(), endpoint.participant.end(), self.v);
-    if (!own) out.push_back(std::move(endpoint));
+std::vector<DiscoveredEndpoint> Session::wait_for_endpoints(const std::string& topic,
+                                                            Clock::time_point end) {
+  bool more = true;
+  while (!interrupted()) {
+    auto endpoints = view().of_topic(topic);
+    if (!endpoints.empty()) return endpoints;
+    if (!more) throw no_such_topic(topic, view(), participant_.options().domain, false);
+    more = wait(end);
   }
-  return out;
+  throw Interrupted{};
+}
+
+void Session::wait_for_readers(const std::string& topic, std::size_t count, Clock::time_point end) {
+  bool more = true;
+  while (!interrupted()) {
+    const std::size_t found = view().of_topic(topic, EndpointKind::kReader).size();
+    if (found >= count) return;
+    if (!more) {
+      throw Failure(kExitTimeout, topic + " has " + std::to_string(found) + " of " +
+                                      std::to_string(count) + " readers that were waited for");
+    }
+    more = wait(end);
+  }
+  throw Interrupted{};
+}
+
+bus::TopicType Session::type_of(const std::vector<DiscoveredEndpoint>& endpoints) {
+  std::string reason;
+  for (const DiscoveredEndpoint& endpoint : endpoints) {
+    try {
+      return discovery_.type_of(endpoint, kTypePatience);
+    } catch (const bus::Error& error) {
+      if (reason.empty()) reason = error.what();
+    }
+  }
+  throw Failure(kExitNoType, reason);
 }
 
 }  // namespace scarab::topic

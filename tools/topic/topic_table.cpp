@@ -1,91 +1,58 @@
 #include "tools/topic/topic_table.hpp"
 
 #include <algorithm>
-#include <map>
-#include <set>
 
 #include "common/bus/qos_text.hpp"
+#include "tools/topic/text_table.hpp"
 
 namespace scarab::topic {
-
 namespace {
 
-using bus::DiscoveredEndpoint;
-using bus::EndpointKind;
+constexpr std::size_t kMostNotes = 3;
 
-struct Row {
-  std::set<std::string> types;
-  std::vector<const DiscoveredEndpoint*> endpoints;
-
-  std::string peers(EndpointKind kind) const {
-    std::map<std::string, int> counts;
-    for (const auto* endpoint : endpoints) {
-      if (endpoint->kind == kind) ++counts[to_string(endpoint->peer)];
+void add_endpoints(TextTable& table, const DomainView& view, const TopicReport& report) {
+  const auto add = [&](const char* kind, const std::vector<bus::DiscoveredEndpoint>& endpoints) {
+    for (const auto& endpoint : endpoints) {
+      table.add_note(std::string("    ") + kind + " " + padded(view.name_of(endpoint), 16) + " " +
+                     bus::qos_text(*endpoint.qos));
     }
-    std::string out;
-    for (const auto& [name, count] : counts) {
-      out += (out.empty() ? "" : ", ") + name;
-      if (count > 1) out += " (" + std::to_string(count) + ")";
-    }
-    return out.empty() ? "-" : out;
-  }
-};
-
-std::string pad(const std::string& text, std::size_t width) {
-  return text + std::string(width > text.size() ? width - text.size() : 0, ' ');
+  };
+  add("writer", report.writers);
+  add("reader", report.readers);
 }
 
-std::string join(const std::set<std::string>& parts) {
-  std::string out;
-  for (const std::string& part : parts) out += (out.empty() ? "" : " != ") + part;
-  return out;
+void add_notes(TextTable& table, const DomainView& view, const TopicReport& report) {
+  auto notes = type_notes(view, report);
+  const auto faults = fault_notes(view, report);
+  notes.insert(notes.end(), faults.begin(), faults.end());
+  for (std::size_t i = 0; i < std::min(notes.size(), kMostNotes); ++i) {
+    table.add_note("  ! " + notes[i]);
+  }
+  if (notes.size() > kMostNotes) {
+    table.add_note("  ! and " + std::to_string(notes.size() - kMostNotes) +
+                   " more: scarab-topic info " + report.topic);
+  }
 }
 
-std::string details(const Row& row) {
-  std::string out;
-  for (const auto* endpoint : row.endpoints) {
-    out += endpoint->kind == EndpointKind::kWriter ? "  writer " : "  reader ";
-    out += pad(to_string(endpoint->peer), 16) + " " + bus::qos_text(*endpoint->qos) + "\n";
+TextTable table_of(const DomainView& view, const std::vector<TopicReport>& reports,
+                   std::size_t most_names, bool verbose) {
+  TextTable table({{"TOPIC"}, {"TYPE"}, {"WRITERS"}, {"READERS"}});
+  for (const TopicReport& report : reports) {
+    table.add({report.topic, report.type(), names_of(view, report.writers, most_names),
+               names_of(view, report.readers, most_names)});
+    if (verbose) add_endpoints(table, view, report);
+    add_notes(table, view, report);
   }
-  return out;
+  return table;
 }
 
 }  // namespace
 
-std::string topic_table(const std::vector<DiscoveredEndpoint>& endpoints, bool verbose) {
-  std::map<std::string, Row> rows;
-  for (const DiscoveredEndpoint& endpoint : endpoints) {
-    rows[endpoint.topic].types.insert(endpoint.type);
-    rows[endpoint.topic].endpoints.push_back(&endpoint);
-  }
-  std::size_t topic_width = 5;
-  std::size_t type_width = 4;
-  std::size_t writers_width = 7;
-  for (const auto& [topic, row] : rows) {
-    topic_width = std::max(topic_width, topic.size());
-    type_width = std::max(type_width, join(row.types).size());
-    writers_width = std::max(writers_width, row.peers(EndpointKind::kWriter).size());
-  }
-  const auto line = [&](const std::string& topic, const std::string& type,
-                        const std::string& writers, const std::string& readers) {
-    return pad(topic, topic_width) + "  " + pad(type, type_width) + "  " +
-           pad(writers, writers_width) + "  " + readers + "\n";
-  };
-  std::string out = line("TOPIC", "TYPE", "WRITERS", "READERS");
-  for (const auto& [topic, row] : rows) {
-    out += line(topic, join(row.types), row.peers(EndpointKind::kWriter),
-                row.peers(EndpointKind::kReader));
-    if (verbose) out += details(row);
-  }
-  return out;
-}
-
-std::vector<std::string> written_topics(const std::vector<DiscoveredEndpoint>& endpoints) {
-  std::set<std::string> names;
-  for (const DiscoveredEndpoint& endpoint : endpoints) {
-    if (endpoint.kind == EndpointKind::kWriter) names.insert(endpoint.topic);
-  }
-  return {names.begin(), names.end()};
+std::string topic_table(const DomainView& view, const std::vector<TopicReport>& reports,
+                        std::size_t width, bool verbose) {
+  const TextTable full = table_of(view, reports, 0, verbose);
+  if (width == 0 || full.width() <= width) return full.text();
+  return table_of(view, reports, 1, verbose).text();
 }
 
 }  // namespace scarab::topic

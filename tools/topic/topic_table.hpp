@@ -1,17 +1,17 @@
 #pragma once
 
+#include <cstddef>
 #include <string>
 #include <vector>
 
-#include "common/bus/discovery.hpp"
+#include "tools/topic/topic_report.hpp"
 
 namespace scarab::topic {
 
-/// The topics of the domain with who writes and who reads them, one line a topic; verbose: one more
-/// for each endpoint with its QoS.
-std::string topic_table(const std::vector<bus::DiscoveredEndpoint>& endpoints, bool verbose);
-
-/// The names of the topics that have a writer, in order.
-std::vector<std::string> written_topics(const std::vector<bus::DiscoveredEndpoint>& endpoints);
+/// A line a topic: its name, type, writers and readers; below it, indented and marked with !, what
+/// is wrong with it. Where the lines are wider than `width` (0: any width is right), names beyond
+/// the first become a number. `verbose`: below each topic its endpoints with their QoS.
+std::string topic_table(const DomainView& view, const std::vector<TopicReport>& reports,
+                        std::size_t width, bool verbose);
 
 }  // namespace scarab::topic

@@ -1,0 +1,102 @@
+#include "tools/topic/sample_printer.hpp"
+
+#include <algorithm>
+
+#include "common/bus/sample_columns.hpp"
+#include "common/bus/sample_json.hpp"
+#include "common/bus/sample_text.hpp"
+#include "common/config/json.hpp"
+
+namespace scarab::topic {
+namespace {
+
+/// A cell as RFC 4180 has it.
+void append_cell(const std::string& value, std::string& out) {
+  if (value.find_first_of(",\"\r\n") == std::string::npos) {
+    out += value;
+    return;
+  }
+  out += '"';
+  for (const char c : value) out += c == '"' ? "\"\"" : std::string(1, c);
+  out += '"';
+}
+
+void append_cells(const std::vector<std::string>& cells, const std::vector<std::size_t>& columns,
+                  std::string& out) {
+  const char* separator = "";
+  for (const std::size_t column : columns) {
+    out += separator;
+    append_cell(cells[column], out);
+    separator = ",";
+  }
+  out += '\n';
+}
+
+/// Enough columns of each sequence for every element that a field names.
+std::size_t elements_named(const std::vector<bus::FieldPath>& fields, std::size_t at_least) {
+  for (const bus::FieldPath& field : fields) {
+    for (const auto& step : field.steps()) {
+      if (step.member.empty()) at_least = std::max(at_least, step.element + 1);
+    }
+  }
+  return at_least;
+}
+
+}  // namespace
+
+SamplePrinter::SamplePrinter(const bus::TypeModel& model, const PrintOptions& options)
+    : model_(model), options_(options) {
+  for (const std::string& field : options.fields) fields_.emplace_back(model, field);
+  if (options.format != Format::kCsv) return;
+  options_.elements = elements_named(fields_, options.elements);
+  const auto names = bus::column_names(model, {options_.elements});
+  for (std::size_t i = 0; fields_.empty() && i < names.size(); ++i) columns_.push_back(i);
+  for (const bus::FieldPath& field : fields_) {
+    for (std::size_t i = 0; i < names.size(); ++i) {
+      if (bus::has_column(field.text(), names[i])) columns_.push_back(i);
+    }
+  }
+  append_cells(names, columns_, heading_);
+}
+
+void SamplePrinter::append(bus::ByteView cdr, std::string& out) const {
+  if (options_.format == Format::kCsv) return append_row(cdr, out);
+  if (!fields_.empty()) return append_fields(cdr, out);
+  if (options_.format == Format::kJson) {
+    bus::append_json(out, model_, cdr);
+    out += '\n';
+  } else {
+    out += bus::yaml_text(model_, cdr);
+    out += "---\n";
+  }
+}
+
+void SamplePrinter::append_fields(bus::ByteView cdr, std::string& out) const {
+  const bus::SampleNode sample = bus::sample_tree(model_, cdr);
+  const bool json = options_.format == Format::kJson;
+  if (fields_.size() == 1) {
+    const bus::SampleNode* part = fields_[0].find(sample);
+    if (!json && part != nullptr && std::holds_alternative<bus::Scalar>(part->value)) {
+      bus::append_plain(out, std::get<bus::Scalar>(part->value));
+    } else {
+      bus::append_field(out, fields_[0], sample);
+    }
+    out += '\n';
+    return;
+  }
+  const char* separator = "";
+  if (json) out += '{';
+  for (const bus::FieldPath& field : fields_) {
+    out += separator;
+    out += (json ? config::in_json_quotes(field.text()) : field.text()) + ": ";
+    bus::append_field(out, field, sample);
+    separator = json ? ", " : "\n";
+  }
+  out += json ? "}\n" : "\n---\n";
+}
+
+void SamplePrinter::append_row(bus::ByteView cdr, std::string& out) const {
+  append_cells(bus::column_values(model_, cdr, {options_.elements}), columns_, out);
+}
+
+}  // namespace scarab::topic
