@@ -23,15 +23,18 @@ class LogValues:
 
     def sources(self) -> Dict[str, Source]:
         """By the kind of the value."""
-        return {"log": self._logs, "topic": lambda _: self._topics(), "field": lambda _: self._fields()}
+        return {"log": self._logs, "topic": lambda _: self._listed("topics", "topic"),
+                "except": lambda _: self._listed("topics", "topic"), "trial": lambda _: self._listed("trials", "trial"),
+                "field": lambda _: self._fields(), "ignore": lambda _: self._fields()}
 
     def _logs(self, start: str) -> Iterable[str]:
         """Files, the folders on the way to them, and the word for the newest run's."""
         return [LATEST, *(path for path in paths(start, True) if path.endswith("/") or is_log(path))]
 
-    def _topics(self) -> List[str]:
+    def _listed(self, what: str, key: str) -> List[str]:
+        """Of what the log holds."""
         try:
-            return [topic["topic"] for topic in json.loads(self._heard("info", "--json"))["topics"]]
+            return [str(each[key]) for each in json.loads(self._heard("info", "--json"))[what]]
         except (ValueError, KeyError, TypeError):
             return []
 

@@ -48,8 +48,10 @@ Options:
   --topic TEXT ...            a topic
   --field TEXT ...            a column, or the beginning of several
   --output FILE               where to
+  --trial UINT                only samples of this trial
 """
-LOG_INFO = {"topics": [{"topic": "scarab/behaviour", "messages": 2}, {"topic": "rt/joint_states"}]}
+LOG_INFO = {"topics": [{"topic": "scarab/behaviour", "messages": 2}, {"topic": "rt/joint_states"}],
+            "trials": [{"trial": 17}]}
 COMMAND_HELP = """print the samples of a topic as YAML
 Usage: scarab-topic echo [OPTIONS] topic
 

@@ -42,6 +42,7 @@ COMPLETED = (
     ("deploy/scarab log cat lat", "deploy/scarab log cat latest"),
     ("deploy/scarab log cat runs/2026-01-01-1/trial-", "deploy/scarab log cat runs/2026-01-01-1/trial-2.mcap.active"),
     ("deploy/scarab log cat latest --topic rt", "deploy/scarab log cat latest --topic rt/joint_states"),
+    ("deploy/scarab log cat latest --trial 1", "deploy/scarab log cat latest --trial 17"),
     ("deploy/scarab log cat latest --topic scarab/behaviour -n 3 --field m",
      "deploy/scarab log cat latest --topic scarab/behaviour -n 3 --field mode"),
     ("deploy/scarab experiment transp", "deploy/scarab experiment transport_speed"),
