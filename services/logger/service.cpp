@@ -5,6 +5,7 @@
 #include <optional>
 #include <thread>
 
+#include "common/runtime/polite_threads.hpp"
 #include "common/runtime/shutdown.hpp"
 #include "services/logger/core/chain_writers.hpp"
 #include "services/logger/log_file.hpp"
@@ -52,7 +53,7 @@ class Recorder {
  private:
   static constexpr std::chrono::milliseconds kPeerPoll{5};
   static constexpr std::chrono::milliseconds kHoldPoll{20};
-  static constexpr std::chrono::seconds kLongestHold{1};
+  static constexpr std::chrono::seconds kLongestHold{5};
   /// 64 ticks of the chain are about 1 MiB.
   static constexpr std::size_t kChainBytes = std::size_t{16} << 20U;
   static constexpr std::chrono::seconds kPatience{1};
@@ -153,7 +154,7 @@ class Recorder {
     const auto end = Clock::now() + kLongest;
     while (!recording_.failed() && Clock::now() < end && wait_set_.wait(kSilence)) {
       news_guard_.clear();
-      record();
+      if (recording_.wait_for_room(kHoldPoll)) record();
     }
     record();
     count_losses();
