@@ -39,8 +39,11 @@ class TickBody {
   [[nodiscard]] virtual std::optional<TrialEnd> verdict() const = 0;
   /// Ends the trial from outside (operator, silence): the verdict from now on.
   virtual void end(const TrialEnd& end) = 0;
-  /// Publishes what the body alone knows (the plant: world_state), at every tick and every sample.
+  /// Publishes what the body alone knows (the plant: world_state), at every tick and every sample;
+  /// may wait for flush_own().
   virtual void publish_own(const scarab_Header& header) = 0;
+  /// Sends what publish_own() has kept back.
+  virtual void flush_own() = 0;
   /// Names the peers its own writers need before a trial starts.
   virtual void add_needs(PeerCheck& peers) const = 0;
 };

@@ -150,13 +150,26 @@ void TickMaster::publish_state(bool between_ticks) {
   state.phase = phase();
   state.real_time = real_time();
   body_.observe(state);
-  (between_ticks ? sensors_ : states_).write(state);
+  if (between_ticks) {
+    sensors_.stage(state);
+  } else {
+    states_.write(state);
+  }
   body_.publish_own(state.header);
+  // In lockstep nobody is in a hurry for the samples between ticks: they leave in a few packets
+  // while the chain works on the tick.
+  if (!between_ticks || real_time()) flush();
   if (!between_ticks) {
     status_.set_progress(state.header);
     report_gate();
     timing_.report(pacer_, status_);
   }
+}
+
+/// Sends the samples between ticks.
+void TickMaster::flush() {
+  sensors_.flush();
+  body_.flush_own();
 }
 
 void TickMaster::take_trials() {

@@ -55,6 +55,7 @@ class TickMaster {
   bool run_tick();
   void hold_if_paused();
   void publish_state(bool between_ticks);
+  void flush();
   void await_command();
   void await_until(TickPacer::TimePoint time);
   void move_body();

@@ -46,8 +46,10 @@ void PlantBody::publish_own(const scarab_Header& header) {
     truth.verdict_reason = ended_->reason;
   }
   fill(world, truth, contacts_);
-  worlds_.write(world);
+  worlds_.stage(world);
 }
+
+void PlantBody::flush_own() { worlds_.flush(); }
 
 void PlantBody::add_needs(runtime::PeerCheck& peers) const { peers.need(worlds_, "logger"); }
 

@@ -23,6 +23,7 @@ class PlantBody : public runtime::TickBody {
   [[nodiscard]] std::optional<runtime::TrialEnd> verdict() const override;
   void end(const runtime::TrialEnd& end) override;
   void publish_own(const scarab_Header& header) override;
+  void flush_own() override;
 
   void add_needs(runtime::PeerCheck& peers) const override;
 

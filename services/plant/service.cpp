@@ -10,7 +10,9 @@ namespace scarab::plant {
 void serve(const runtime::ServiceOptions& options, runtime::Pace pace, const PlantConfig& config,
            const robot::RobotModel& robot) {
   const bus::Peer self{"plant", options.instance};
-  bus::Participant participant(options.bus.participant(self.service, self.instance));
+  bus::ParticipantOptions joins = options.bus.participant(self.service, self.instance);
+  joins.gathers_samples = true;
+  bus::Participant participant(joins);
   PlantBody body(participant, robot, config);
   safety::GateOptions gate_options;
   gate_options.tick_period_s = config.timing.control_period_s;

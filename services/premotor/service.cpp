@@ -37,15 +37,16 @@ class PremotorLink {
     const MotorIntent intent = to_intent(behaviour);
     scarab_Header header = behaviour.header;
     header.stamp_ns = bus::now_ns();
-    // The state goes out first: whoever has the command can find the state that made it.
+    // Nobody in the chain waits for the state: it leaves behind the command.
     scarab_NeuralActivity activity{};
     activity.header = header;
     fill(activity, state);
-    activities_.write(activity);
+    activities_.stage(activity);
     scarab_JointCommand command{};
     command.header = header;
     fill(command, controller_.targets(state, intent), intent.stop);
     commands_.write(command);
+    activities_.flush();
   }
 
   bool ends(const scarab_Behaviour& behaviour) const {
@@ -90,7 +91,9 @@ class PremotorLink {
 void serve(const runtime::ServiceOptions& options, const PremotorConfig& config,
            const robot::RobotModel& robot) {
   const bus::Peer self{"premotor", options.instance};
-  bus::Participant participant(options.bus.participant(self.service, self.instance));
+  bus::ParticipantOptions joins = options.bus.participant(self.service, self.instance);
+  joins.gathers_samples = true;
+  bus::Participant participant(joins);
   runtime::PeerCheck peers(options.expect);
   PremotorLink link(participant, self, config, robot);
   runtime::ChainResponder<PremotorLink> responder(participant, options, self, bus::kBehaviour, link,
