@@ -6,7 +6,6 @@ namespace scarab::bus {
 
 namespace {
 
-constexpr int kDepth = 64;
 // Writers wait for slow readers at most this long, then the write fails by name.
 constexpr dds_duration_t kMaxBlocking = DDS_SECS(1);
 constexpr dds_duration_t kStatusLease = DDS_SECS(1);
@@ -15,7 +14,7 @@ Qos common_qos(Profile profile) {
   Qos qos(dds_create_qos());
   dds_qset_reliability(qos.get(), DDS_RELIABILITY_RELIABLE, kMaxBlocking);
   dds_qset_durability(qos.get(), DDS_DURABILITY_TRANSIENT_LOCAL);
-  dds_qset_history(qos.get(), DDS_HISTORY_KEEP_LAST, profile == Profile::kStatus ? 1 : kDepth);
+  dds_qset_history(qos.get(), DDS_HISTORY_KEEP_LAST, profile == Profile::kStatus ? 1 : int{kDepth});
   dds_qset_ownership(qos.get(), DDS_OWNERSHIP_SHARED);
   if (profile == Profile::kStatus) {
     dds_qset_liveliness(qos.get(), DDS_LIVELINESS_AUTOMATIC, kStatusLease);
@@ -28,6 +27,9 @@ Qos common_qos(Profile profile) {
 Qos writer_qos(Profile profile) {
   Qos qos = common_qos(profile);
   dds_qset_writer_data_lifecycle(qos.get(), false);
+  if (profile == Profile::kStream) {
+    dds_qset_history(qos.get(), DDS_HISTORY_KEEP_LAST, int{kStreamDepth});
+  }
   dds_qset_durability_service(qos.get(), 0, DDS_HISTORY_KEEP_LAST, 1, DDS_LENGTH_UNLIMITED,
                               DDS_LENGTH_UNLIMITED, DDS_LENGTH_UNLIMITED);
   return qos;

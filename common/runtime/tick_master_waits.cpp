@@ -12,7 +12,6 @@ using Clock = std::chrono::steady_clock;
 
 constexpr std::chrono::milliseconds kPoll{5};  // while peers or the logger are waited for
 constexpr std::chrono::milliseconds kPausePoll{200};
-constexpr unsigned kHistoryDepth = 64;  // of every profile; what a reader can hold unread
 
 }  // namespace
 
@@ -36,6 +35,7 @@ void TickMaster::await_start() {
 
 void TickMaster::hold_if_paused() {
   if (!desk_.paused()) return;
+  flush();
   status_.set_health(scarab_HEALTH_WAITING, "paused by the operator");
   while (desk_.paused() && !body_.verdict()) wait(kPausePoll);
   status_.set_health(scarab_HEALTH_OK);
@@ -55,6 +55,7 @@ void TickMaster::await_command() {
       const std::string reason = what + " for " + std::to_string(options_.give_up.count()) + " s";
       if (!body_.verdict()) body_.end({false, reason});
       body_.publish_own(header());
+      flush();
       status_.set_health(scarab_HEALTH_FAULT, reason);
       return;
     }
@@ -81,11 +82,13 @@ std::optional<bus::Peer> TickMaster::logger_behind(std::uint32_t lead) const {
   return std::nullopt;
 }
 
-/// Keeps the lead over every expected logger small enough that nothing it has not taken yet is
-/// overwritten.
+/// Keeps the lead over every expected logger small enough that nothing it has not received yet is
+/// overwritten in a writer's history. Two ticks less: the running one, and the last one's samples
+/// that leave with it.
 void TickMaster::await_logger() {
   if (options_.pace != Pace::kLockstep) return;
-  const std::uint32_t lead = std::max(1U, kHistoryDepth / options_.samples_per_tick - 2);
+  const std::uint32_t kept = std::min(bus::kDepth, bus::kStreamDepth / options_.samples_per_tick);
+  const std::uint32_t lead = std::max(3U, kept) - 2;
   const auto since = Clock::now();
   while (const auto logger = logger_behind(lead)) {
     wait(kPoll);
