@@ -75,7 +75,8 @@ def simulate(options: argparse.Namespace, plant: Path, log: Path) -> None:
 
 
 def table(options: argparse.Namespace, log: Path, topic: str, *fields: str) -> Iterator[Dict[str, str]]:
-    command = [str(options.bin / "scarab-log"), "csv", str(log), "--topic", topic]
+    command = [str(options.bin / "scarab-log"), "export", str(log), "--format", "csv",
+               "--topic", topic]
     for field in ("header.trial", "header.sim_time_ns", *fields):
         command += ["--field", field]
     done = subprocess.run(command, stdout=subprocess.PIPE, text=True, check=True)

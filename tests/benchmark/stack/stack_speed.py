@@ -1,5 +1,5 @@
 #!/usr/bin/python3
-"""Speed of the plant alone, of the cores in one process and of the whole stack, against real time."""
+"""Speed of the plant alone, of the cores in one process and of the stack, with and without logger."""
 
 import argparse
 import json
@@ -10,16 +10,20 @@ import sys
 import tempfile
 import uuid
 from pathlib import Path
-from typing import List, Tuple
+from typing import Dict, List, Tuple
 
 ROOT = Path(__file__).resolve().parents[3]
 PLANT_AIM = 250  # x real time, on one core
 STACK_AIM = 40   # x real time, on two cores
+LOGGER_AIM = 0.9  # of the stack's speed without a logger
 TRIAL_LIMIT_S = 300
-_RESULT = re.compile(r"^result: \w+ after ([\d.]+) s.*; ([\d.]+) x real time\)$", re.MULTILINE)
+_RESULT = re.compile(r"^.*result: \w+ after ([\d.]+) s.*; ([\d.]+) x real time\)$", re.MULTILINE)
 
 _HELP = """A trial's speed is its simulated time over the wall time from its first tick to its last.
-All three are measured in this one run, so that their ratios mean something on a noisy machine.
+All are measured in this one run and in turns, so that their ratios mean something on a noisy
+machine. A stack runs --trials trials; its speed is that of all of them. What the logger costs is the
+median of the ratios of neighbours: each round runs a stack with and one without a logger, the one
+first that was last before.
 
 example:
   tests/benchmark/stack/stack_speed.py --bin build/release/bin --repeats 5
@@ -46,11 +50,12 @@ def trial_options(options: argparse.Namespace) -> List[str]:
 
 
 def speed_of(output: str) -> Tuple[float, float]:
-    """Simulated seconds and speed of the one trial that `output` reports."""
-    found = _RESULT.search(output)
+    """Simulated seconds and speed of all trials together that `output` reports."""
+    found = [(float(seconds), float(speed)) for seconds, speed in _RESULT.findall(output)]
     if not found:
         raise RuntimeError(f"no result in: {output}")
-    return float(found[1]), float(found[2])
+    simulated_s = sum(seconds for seconds, _ in found)
+    return simulated_s, simulated_s / sum(seconds / speed for seconds, speed in found)
 
 
 def finish(command: List[str]) -> str:
@@ -69,21 +74,22 @@ def simulate(options: argparse.Namespace) -> Tuple[float, float]:
     return speed_of(finish(command + trial_options(options)))
 
 
-def run_stack(options: argparse.Namespace) -> Tuple[float, float]:
-    """One trial on a fresh stack of processes with the logger, in lockstep."""
+def run_stack(options: argparse.Namespace, with_logger: bool) -> Tuple[float, float]:
+    """Trials on a fresh stack of processes, in lockstep."""
+    members = (["logger"] if with_logger else []) + ["plant", "supervisor", "premotor"]
     bus = ["--tag", f"stack-speed-{uuid.uuid4()}",
-           "--expect", "logger=1,plant=1,supervisor=1,premotor=1"]
+           "--expect", ",".join(f"{service}=1" for service in members)]
     services = []
     with tempfile.TemporaryDirectory(prefix="scarab-speed-") as run_dir:
         try:
-            for service in ("logger", "plant", "supervisor", "premotor"):
+            for service in members:
                 command = [str(options.bin / f"scarab-{service}"), *bus, "--run-dir", run_dir,
                            *shipped(service)]
                 if service == "logger":
                     command += ["--output", f"{run_dir}/trial.mcap"]
                 services.append(subprocess.Popen(command, stderr=subprocess.DEVNULL))
             return speed_of(finish([str(options.bin / "scarab-experiment"), *bus,
-                                    *trial_options(options)]))
+                                    *trial_options(options), "--trials", str(options.trials)]))
         finally:
             for service in reversed(services):  # the logger last
                 service.terminate()
@@ -102,6 +108,12 @@ def plant_speed(options: argparse.Namespace) -> float:
     return benchmarks[0]["real_time_factor"]
 
 
+def neighbours(options: argparse.Namespace, number: int) -> Dict[bool, float]:
+    """Speeds of a stack with (True) and without a logger, one right after the other."""
+    order = (False, True) if number % 2 == 0 else (True, False)
+    return {with_logger: run_stack(options, with_logger)[1] for with_logger in order}
+
+
 def row(name: str, speeds: List[float], aim: str) -> str:
     return (f"{name:<34} {statistics.median(speeds):7.1f} x real time   "
             f"({min(speeds):.1f} to {max(speeds):.1f} of {len(speeds)}){aim}")
@@ -112,26 +124,33 @@ def main() -> int:
                                      formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("--bin", type=Path, default=ROOT / "build/release/bin",
                         help="compiled programs (build/release/bin)")
-    parser.add_argument("--repeats", type=int, default=3, help="trials of each kind (3)")
+    parser.add_argument("--repeats", type=int, default=5, help="rounds (5)")
+    parser.add_argument("--trials", type=int, default=3, help="trials of each stack (3)")
     parser.add_argument("--time-limit", type=float, help="end the trials after so many simulated s")
     options = parser.parse_args()
-    if options.repeats < 1:
-        parser.error("--repeats must be at least 1")
-    sims, stacks, plants = [], [], []
+    if options.repeats < 1 or options.trials < 1:
+        parser.error("--repeats and --trials must be at least 1")
+    sims, plants, without, recorded = [], [], [], []
     try:
-        for _ in range(options.repeats):  # in turn: a slow moment of the machine hits all alike
+        for number in range(options.repeats):  # in turn: a slow moment of the machine hits all alike
             plants.append(plant_speed(options))
-            sims.append(simulate(options)[1])
-            simulated_s, speed = run_stack(options)
-            stacks.append(speed)
+            simulated_s, speed = simulate(options)
+            sims.append(speed)
+            speeds = neighbours(options, number)
+            without.append(speeds[False])
+            recorded.append(speeds[True])
     except (RuntimeError, OSError, subprocess.TimeoutExpired) as error:
         print(f"stack_speed: {error}", file=sys.stderr)
         return 1
     print(f"soft+hard over 0.10 m, {simulated_s:.1f} s simulated, median of {options.repeats}")
     print(row("plant alone (CPU time, one core)", plants, f", aim {PLANT_AIM}"))
     print(row("scarab-sim, one process", sims, ""))
-    print(row("stack of processes, with logger", stacks, f", aim {STACK_AIM}"))
-    print(f"stack / scarab-sim                 {statistics.median(stacks) / statistics.median(sims):7.2f}")
+    print(row("stack of processes, no logger", without, ""))
+    print(row("stack of processes, with logger", recorded, f", aim {STACK_AIM}"))
+    kept = [one / other for one, other in zip(recorded, without)]
+    print(f"with logger / without              {statistics.median(kept):7.2f}               "
+          f"({min(kept):.2f} to {max(kept):.2f} of {len(kept)}), aim {LOGGER_AIM}")
+    print(f"stack with logger / scarab-sim     {statistics.median(recorded) / statistics.median(sims):7.2f}")
     return 0
 
 
