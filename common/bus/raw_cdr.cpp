@@ -69,6 +69,49 @@ void decode_payload(const dds_topic_descriptor_t& type, ByteView payload, bool s
   dds_stream_read(&stream, static_cast<char*>(sample), type.m_ops);
 }
 
+/// Samples taken from a reader, given back with this object.
+class TakenSamples {
+ public:
+  static constexpr std::uint32_t kMost = 64;
+
+  explicit TakenSamples(dds_entity_t reader)
+      : size_(static_cast<std::size_t>(
+            check(dds_takecdr(reader, samples_.data(), kMost, infos_.data(), DDS_ANY_STATE),
+                  "raw reader"))) {}
+  TakenSamples(const TakenSamples&) = delete;
+  TakenSamples& operator=(const TakenSamples&) = delete;
+  ~TakenSamples() {
+    for (std::size_t i = 0; i < size_; ++i) ddsi_serdata_unref(samples_[i]);
+  }
+
+  std::size_t size() const { return size_; }
+  const ddsi_serdata& sample(std::size_t i) const { return *samples_[i]; }
+  const dds_sample_info_t& info(std::size_t i) const { return infos_[i]; }
+
+ private:
+  std::array<ddsi_serdata*, kMost> samples_{};
+  std::array<dds_sample_info_t, kMost> infos_{};
+  std::size_t size_;
+};
+
+/// The bytes of a sample where Cyclone keeps them.
+class LentBytes {
+ public:
+  explicit LentBytes(const ddsi_serdata& sample)
+      : lender_(ddsi_serdata_to_ser_ref(&sample, 0, ddsi_serdata_size(&sample), &bytes_)) {}
+  LentBytes(const LentBytes&) = delete;
+  LentBytes& operator=(const LentBytes&) = delete;
+  ~LentBytes() { ddsi_serdata_to_ser_unref(lender_, &bytes_); }
+
+  ByteView bytes() const {
+    return {static_cast<const std::byte*>(bytes_.iov_base), bytes_.iov_len};
+  }
+
+ private:
+  ddsrt_iovec_t bytes_{};
+  ddsi_serdata* lender_;
+};
+
 }  // namespace
 
 Bytes encode_sample(const dds_topic_descriptor_t& type, const void* sample) {
@@ -103,24 +146,18 @@ void decode_xcdr2(const dds_topic_descriptor_t& type, ByteView payload, void* sa
 }
 
 std::size_t take_raw(dds_entity_t reader, const std::function<void(const RawSample&)>& f) {
-  constexpr std::uint32_t kBatch = 64;
   std::size_t count = 0;
-  Bytes bytes;
   while (true) {
-    std::array<ddsi_serdata*, kBatch> samples{};
-    std::array<dds_sample_info_t, kBatch> infos{};
-    const int taken = check(
-        dds_takecdr(reader, samples.data(), kBatch, infos.data(), DDS_ANY_STATE), "raw reader");
+    const TakenSamples taken(reader);
     const std::int64_t now = now_ns();
-    for (std::size_t i = 0; i < static_cast<std::size_t>(taken); ++i) {
-      bytes.resize(ddsi_serdata_size(samples[i]));
-      ddsi_serdata_to_ser(samples[i], 0, bytes.size(), bytes.data());
-      ddsi_serdata_unref(samples[i]);
-      if (!infos[i].valid_data) continue;
-      f({bytes, infos[i].source_timestamp, now, infos[i].publication_handle});
+    for (std::size_t i = 0; i < taken.size(); ++i) {
+      const dds_sample_info_t& info = taken.info(i);
+      if (!info.valid_data) continue;
+      const LentBytes lent(taken.sample(i));
+      f({lent.bytes(), info.source_timestamp, now, info.publication_handle});
       ++count;
     }
-    if (static_cast<std::uint32_t>(taken) < kBatch) return count;
+    if (taken.size() < TakenSamples::kMost) return count;
   }
 }
 

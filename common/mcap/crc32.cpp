@@ -5,10 +5,10 @@
 namespace scarab::mcap {
 namespace {
 
-constexpr std::size_t kSlices = 8;
+constexpr std::size_t kSlices = 16;
 using Tables = std::array<std::array<std::uint32_t, 256>, kSlices>;
 
-/// Table s gives the CRC of one byte followed by s zero bytes, so that eight bytes take eight
+/// Table s gives the CRC of one byte followed by s zero bytes, so that sixteen bytes take sixteen
 /// independent look-ups.
 constexpr Tables make_tables() {
   constexpr std::uint32_t kReflectedPolynomial = 0xEDB88320U;
@@ -38,9 +38,11 @@ void Crc32::update(ByteView bytes) {
   const std::uint8_t* p = bytes.data();
   std::size_t left = bytes.size();
   for (; left >= kSlices; left -= kSlices, p += kSlices) {
-    crc = kTables[7][(p[0] ^ crc) & 0xFFU] ^ kTables[6][(p[1] ^ (crc >> 8U)) & 0xFFU] ^
-          kTables[5][(p[2] ^ (crc >> 16U)) & 0xFFU] ^ kTables[4][(p[3] ^ (crc >> 24U)) & 0xFFU] ^
-          kTables[3][p[4]] ^ kTables[2][p[5]] ^ kTables[1][p[6]] ^ kTables[0][p[7]];
+    crc = kTables[15][(p[0] ^ crc) & 0xFFU] ^ kTables[14][(p[1] ^ (crc >> 8U)) & 0xFFU] ^
+          kTables[13][(p[2] ^ (crc >> 16U)) & 0xFFU] ^ kTables[12][(p[3] ^ (crc >> 24U)) & 0xFFU] ^
+          kTables[11][p[4]] ^ kTables[10][p[5]] ^ kTables[9][p[6]] ^ kTables[8][p[7]] ^
+          kTables[7][p[8]] ^ kTables[6][p[9]] ^ kTables[5][p[10]] ^ kTables[4][p[11]] ^
+          kTables[3][p[12]] ^ kTables[2][p[13]] ^ kTables[1][p[14]] ^ kTables[0][p[15]];
   }
   for (; left > 0; --left, ++p) {
     crc = (crc >> 8U) ^ kTables[0][(crc ^ *p) & 0xFFU];
