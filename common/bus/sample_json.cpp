@@ -4,34 +4,16 @@
 #include <charconv>
 #include <cmath>
 
+#include "common/bus/quoted_text.hpp"
+
 namespace scarab::bus {
 namespace {
-
-constexpr const char* kHexDigits = "0123456789abcdef";
-
-void append_quoted(std::string& out, std::string_view text) {
-  out += '"';
-  for (const char c : text) {
-    const auto byte = static_cast<unsigned char>(c);
-    if (c == '"' || c == '\\') {
-      out += '\\';
-      out += c;
-    } else if (byte < 0x20) {
-      out += "\\u00";
-      out += kHexDigits[byte >> 4U];
-      out += kHexDigits[byte & 0xFU];
-    } else {
-      out += c;
-    }
-  }
-  out += '"';
-}
 
 struct AppendScalar {
   std::string& out;
 
   void operator()(bool value) const { out += value ? "true" : "false"; }
-  void operator()(char value) const { append_quoted(out, {&value, 1}); }
+  void operator()(char value) const { append_quoted(out, character_text(value)); }
   void operator()(std::string_view value) const { append_quoted(out, value); }
   void operator()(const EnumValue& value) const {
     if (value.name != nullptr) {
@@ -64,7 +46,7 @@ struct AppendScalar {
 struct AppendPlain {
   std::string& out;
 
-  void operator()(char value) const { out += value; }
+  void operator()(char value) const { out += character_text(value); }
   void operator()(std::string_view value) const { out += value; }
   void operator()(const EnumValue& value) const {
     out += value.name != nullptr ? *value.name : std::to_string(value.value);

@@ -5,6 +5,7 @@
 #include <charconv>
 #include <cmath>
 
+#include "common/bus/quoted_text.hpp"
 #include "common/bus/sample_tree.hpp"
 
 namespace scarab::bus {
@@ -20,7 +21,7 @@ std::string number_text(Number value) {
 
 struct ScalarText {
   std::string operator()(bool value) const { return value ? "true" : "false"; }
-  std::string operator()(char value) const { return std::string(1, value); }
+  std::string operator()(char value) const { return character_text(value); }
   std::string operator()(std::string_view value) const { return std::string(value); }
   std::string operator()(const EnumValue& value) const {
     return value.name != nullptr ? *value.name : std::to_string(value.value);
@@ -32,22 +33,9 @@ struct ScalarText {
 };
 
 std::string quoted(std::string_view text) {
-  constexpr const char* kHex = "0123456789abcdef";
-  std::string out = "\"";
-  for (const char c : text) {
-    const auto byte = static_cast<unsigned char>(c);
-    if (c == '"' || c == '\\') {
-      out += '\\';
-      out += c;
-    } else if (byte < 0x20) {
-      out += "\\u00";
-      out += kHex[byte >> 4U];
-      out += kHex[byte & 0xFU];
-    } else {
-      out += c;
-    }
-  }
-  return out + "\"";
+  std::string out;
+  append_quoted(out, text);
+  return out;
 }
 
 /// True for what both YAML and JSON need in quotes.
