@@ -72,11 +72,20 @@ class LoggerTest : public testing::Test {
   const scarab_ServiceStatus& status() {
     statuses_.take([this](const scarab_ServiceStatus& status) {
       if (std::string(status.service) != "logger") return;
+      for (std::uint32_t i = 0; i < status.counters._length; ++i) {
+        counters_[status.counters._buffer[i].name] = status.counters._buffer[i].value;
+      }
       status_ = status;
       status_.service = nullptr;  // lent for the call only
       status_.counters = {};
     });
     return status_;
+  }
+
+  /// Of its newest status; 0 for one it has not reported.
+  std::uint64_t counter(const std::string& name) {
+    status();
+    return counters_[name];
   }
 
   bool wait_for_reader(const bus::WriterEndpoint& writer) {
@@ -129,6 +138,7 @@ class LoggerTest : public testing::Test {
 
  private:
   scarab_ServiceStatus status_{};
+  std::map<std::string, std::uint64_t> counters_;
   int started_ = 0;
 };
 
