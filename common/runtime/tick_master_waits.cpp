@@ -13,6 +13,12 @@ using Clock = std::chrono::steady_clock;
 constexpr std::chrono::milliseconds kPoll{5};  // while peers or the logger are waited for
 constexpr std::chrono::milliseconds kPausePoll{200};
 
+/// What a service says keeps it from working, as the end of a sentence.
+std::string complaint_of(const ServiceReport* report) {
+  const bool complains = report && report->health == scarab_HEALTH_FAULT;
+  return complains ? ": " + report->message : "";
+}
+
 }  // namespace
 
 void TickMaster::await_start() {
@@ -96,9 +102,10 @@ void TickMaster::await_logger() {
     if (silent < options_.report_silence) continue;
     const std::string what =
         bus::to_string(*logger) + " has not recorded tick " + std::to_string(tick_ - lead);
-    status_.set_health(scarab_HEALTH_WAITING, what);
+    const std::string why = complaint_of(board_.find(*logger));
+    status_.set_health(scarab_HEALTH_WAITING, what + why);
     if (silent < options_.give_up) continue;
-    body_.end({false, what + " for " + std::to_string(options_.give_up.count()) + " s"});
+    body_.end({false, what + " for " + std::to_string(options_.give_up.count()) + " s" + why});
     return;
   }
   if (status_.health() == scarab_HEALTH_WAITING) status_.set_health(scarab_HEALTH_OK);
