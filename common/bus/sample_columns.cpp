@@ -2,12 +2,16 @@
 
 #include <algorithm>
 
+#include "common/bus/error.hpp"
 #include "common/bus/sample_text.hpp"
 #include "common/bus/sample_tree.hpp"
 
 namespace scarab::bus {
 
 namespace {
+
+// No table has that many; a type in a foreign log may have.
+constexpr std::size_t kMostColumns = 1'000'000;
 
 /// Walks the type and, where there is one, the sample beside it, so that names and values cannot
 /// diverge.
@@ -33,6 +37,7 @@ class Flattening {
 
  private:
   void column(const std::string& name, std::string value) {
+    if (++columns_ > kMostColumns) throw Error("too many columns: more than a million");
     if (names_ != nullptr) names_->push_back(name);
     if (values_ != nullptr) values_->push_back(std::move(value));
   }
@@ -71,6 +76,7 @@ class Flattening {
   }
 
   ColumnOptions options_;
+  std::size_t columns_ = 0;
   std::vector<std::string>* names_;
   std::vector<std::string>* values_;
 };

@@ -16,7 +16,7 @@ struct ColumnOptions {
 };
 
 /// The names of the columns of a type: `header.tick`, `position_rad[3]`, `contacts.length`,
-/// `contacts[0].force_n[2]`.
+/// `contacts[0].force_n[2]`. Throws Error for more than a million.
 std::vector<std::string> column_names(const TypeModel& model, const ColumnOptions& options = {});
 
 /// A sample's values, one a column of column_names() with the same options; empty where a sequence

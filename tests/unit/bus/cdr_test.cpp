@@ -132,6 +132,69 @@ TEST(Cdr, IsReadInBothByteOrders) {
   EXPECT_EQ(json_text(model, big), json_text(model, little));
 }
 
+/// A type that may grow, in the bytes that DDS-XTypes 1.3, 7.4.3 gives it in XCDR2.
+struct Growing : testing::Test {
+  const TypeRef step = make(StructType{
+      "Step",
+      {{"leg", make(Primitive::kInt16), false}, {"height", make(Primitive::kDouble), false}},
+      Extensibility::kAppendable});
+  const TypeModel model{make(StructType{"T",
+                                        {{"id", make(Primitive::kOctet), true},
+                                         {"steps", make(SequenceType{step, 0}), false},
+                                         {"last", make(Primitive::kInt64), false}},
+                                        Extensibility::kAppendable})};
+  // clang-format off
+  const Bytes cdr = bytes({
+      0, 9, 0, 0,                // DELIMIT_CDR2, little-endian
+      56, 0, 0, 0,               // bytes of T
+      7, 0, 0, 0,                // id; padding
+      36, 0, 0, 0,               // bytes of steps
+      2, 0, 0, 0,                // their number
+      12, 0, 0, 0,               // bytes of the first
+      0xFF, 0xFF, 0, 0,          // leg; doubles are aligned to 4
+      0, 0, 0, 0, 0, 0, 0xF8, 0x3F,
+      12, 0, 0, 0,
+      2, 0, 0, 0,
+      0, 0, 0, 0, 0, 0, 0, 0x40,
+      5, 0, 0, 0, 0, 0, 0, 0,    // last
+      1, 2, 3, 4});              // of a member that a newer version of T has
+  // clang-format on
+  const std::string json =
+      R"({"id": 7, "steps": [{"leg": -1, "height": 1.5}, {"leg": 2, "height": 2}], "last": 5})";
+};
+
+TEST_F(Growing, IsReadFromXcdr2WithWhatANewerVersionAdds) {
+  EXPECT_EQ(json_text(model, cdr), json);
+}
+
+TEST_F(Growing, IsRefusedWhenCutAnywhere) {
+  for (std::size_t size = 0; size < cdr.size(); ++size) {
+    EXPECT_THROW(json_text(model, {cdr.data(), size}), Error) << size;
+  }
+}
+
+TEST_F(Growing, NeverReadsBeyondAPartsOwnLength) {
+  Bytes short_step = cdr;
+  short_step[20] = std::byte{8};  // ends within its height
+  EXPECT_THAT([&] { json_text(model, short_step); },
+              ThrowsMessage<Error>(HasSubstr("T: the bytes end early")));
+  Bytes long_step = cdr;
+  long_step[20] = std::byte{36};  // reaches beyond the steps
+  EXPECT_THAT([&] { json_text(model, long_step); },
+              ThrowsMessage<Error>(HasSubstr("T: the bytes end early")));
+}
+
+TEST(Cdr, NoArrayIsLargerThanItsSample) {
+  const TypeModel model(make(
+      StructType{"T", {{"a", make(ArrayType{make(Primitive::kOctet), {4'000'000'000U}}), false}}}));
+  EXPECT_THAT(
+      [&] {
+        json_text(model, bytes({0, 1, 0, 0, 1, 2, 3, 4}));
+      },
+      ThrowsMessage<Error>(HasSubstr("T: the bytes end early")));
+  EXPECT_THAT([&] { column_names(model); }, ThrowsMessage<Error>(HasSubstr("too many columns")));
+}
+
 TEST(Cdr, AnotherRepresentationIsRefusedByName) {
   const TypeModel model = TypeModel::from_descriptor(descriptor<scarab_Operator>());
   Bytes cdr = encode(scarab_Operator{});
