@@ -95,7 +95,8 @@ bool writes_xcdr2(const dds_qos_t& announced) {
 bool operator==(const RawQos& a, const RawQos& b) {
   const auto all = [](const RawQos& q) {
     return std::tie(q.reliability, q.durability, q.ownership, q.ownership_strength, q.liveliness,
-                    q.liveliness_lease, q.deadline, q.history_depth, q.partitions, q.xcdr2);
+                    q.liveliness_lease, q.deadline, q.history_depth, q.late_joiner_depth,
+                    q.partitions, q.xcdr2);
   };
   return all(a) == all(b);
 }
@@ -175,7 +176,9 @@ Qos dds_qos_of(const RawQos& from) {
   const auto kind = all ? DDS_HISTORY_KEEP_ALL : DDS_HISTORY_KEEP_LAST;
   const int depth = all ? DDS_LENGTH_UNLIMITED : from.history_depth;
   dds_qset_history(qos.get(), kind, depth);
-  dds_qset_durability_service(qos.get(), 0, kind, depth, DDS_LENGTH_UNLIMITED, DDS_LENGTH_UNLIMITED,
+  const auto late = from.late_joiner_depth;
+  dds_qset_durability_service(qos.get(), 0, late ? DDS_HISTORY_KEEP_LAST : kind,
+                              late.value_or(depth), DDS_LENGTH_UNLIMITED, DDS_LENGTH_UNLIMITED,
                               DDS_LENGTH_UNLIMITED);
   dds_qset_writer_data_lifecycle(qos.get(), false);
   std::vector<const char*> names;

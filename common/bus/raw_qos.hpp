@@ -23,7 +23,10 @@ struct RawQos {
   dds_liveliness_kind_t liveliness = DDS_LIVELINESS_AUTOMATIC;
   std::optional<std::chrono::nanoseconds> liveliness_lease;  ///< nothing: infinite
   std::optional<std::chrono::nanoseconds> deadline;          ///< nothing: infinite
-  int history_depth = 64;               ///< samples kept of each instance; 0: all
+  int history_depth = 64;  ///< samples kept of each instance; 0: all
+  /// Samples of each instance kept for late joiners, once all readers there are have them; nothing:
+  /// as many as the history.
+  std::optional<int> late_joiner_depth;
   std::vector<std::string> partitions;  ///< none: the default partition
   bool xcdr2 = false;                   ///< data representation: XCDR2, not XCDR1
 };
