@@ -57,7 +57,6 @@ int diff(const DiffArguments& arguments) {
 void add_diff(CLI::App& app, Command& chosen) {
   auto* command =
       app.add_subcommand("diff", "whether two logs hold the same samples, wall-clock stamps aside");
-  command->alias("compare");
   command->footer(
       "Without --topic: all topics but scarab/service_status, which tells of processes.\n"
       "Exit code: 0 equal, 1 different, 2 the logs could not be compared.\n"

@@ -80,7 +80,6 @@ void add_cat(CLI::App& app, Command& chosen) {
 
 void add_export(CLI::App& app, Command& chosen) {
   auto* command = app.add_subcommand("export", "a topic as a table");
-  command->alias("csv");
   command->footer(
       "Examples:\n"
       "  scarab-log export trial.mcap --topic scarab/robot_state --field header.tick --field "

@@ -26,6 +26,11 @@ class LogWriter {
     const bus::Bytes bytes = bus::encode(sample);
     write(channel_of(topic), time_ns, {bytes.data(), bytes.size()});
   }
+  /// The bytes of a sample, published and recorded at a time.
+  template <class T>
+  void write_at(const bus::Topic<T>& topic, std::uint64_t time_ns, mcap::ByteView bytes) {
+    writer_.write({channel_of(topic), sequence_++, time_ns, time_ns, bytes});
+  }
   /// The n-th message, n seconds after the epoch.
   void write(const scarab_Behaviour& behaviour) {
     write(bus::kBehaviour, behaviour, kSecond * sequence_);

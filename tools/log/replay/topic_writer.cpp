@@ -1,7 +1,5 @@
 #include "tools/log/replay/topic_writer.hpp"
 
-#include <algorithm>
-
 #include "common/bus/error.hpp"
 #include "common/bus/known_types.hpp"
 #include "common/bus/stored_type.hpp"
@@ -41,6 +39,13 @@ bus::TopicType type_of(bus::Participant& participant, const LogChannel& channel)
   return bus::borrow_compiled(*known);
 }
 
+/// So that a write waits for readers that are behind, and overwrites nothing they have not got yet.
+bus::RawQos patient(bus::RawQos qos) {
+  qos.late_joiner_depth = 1;  // as the project's writers
+  qos.history_depth = 0;
+  return qos;
+}
+
 }  // namespace
 
 bus::RawQos recorded_qos(const LogChannel& channel) {
@@ -53,28 +58,16 @@ bus::RawQos recorded_qos(const LogChannel& channel) {
 }
 
 TopicWriter::TopicWriter(bus::Participant& participant, const LogChannel& channel)
-    : qos_(recorded_qos(channel)),
-      writer_(participant, channel.topic, type_of(participant, channel), qos_) {}
+    : writer_(participant, channel.topic, type_of(participant, channel),
+              patient(recorded_qos(channel))) {}
 
 void TopicWriter::write(const mcap::Bytes& cdr, std::optional<std::int64_t> source_ns) {
-  constexpr std::chrono::seconds kPatience{1};
-  // Half of what the writer keeps may be on its way; beyond all of it samples would be lost.
-  const int most = std::max(1, qos_.history_depth / 2);
-  if (qos_.history_depth > 0 && unacknowledged_ >= most) {
-    if (!writer_.await_acknowledged(kPatience)) {
-      std::string readers;
-      for (const auto& peer : writer_.matched()) readers += " " + bus::to_string(peer);
-      throw bus::Error(topic() + ": readers do not acknowledge:" + readers);
-    }
-    unacknowledged_ = 0;
-  }
   const bus::ByteView bytes{reinterpret_cast<const std::byte*>(cdr.data()), cdr.size()};
   if (source_ns) {
     writer_.write(bytes, *source_ns);
   } else {
     writer_.write(bytes);
   }
-  ++unacknowledged_;
 }
 
 }  // namespace scarab::log

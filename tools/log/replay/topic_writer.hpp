@@ -15,7 +15,7 @@ namespace scarab::log {
 bus::RawQos recorded_qos(const LogChannel& channel);
 
 /// Publishes the messages of a channel as its writers did: with their type, which is in the log,
-/// and their QoS.
+/// and their QoS, but for the history.
 class TopicWriter {
  public:
   /// Throws bus::Error saying why the channel cannot be published.
@@ -24,16 +24,14 @@ class TopicWriter {
   const std::string& topic() const { return writer_.topic(); }
   std::vector<bus::Peer> matched() const { return writer_.matched(); }
 
-  /// Publishes, stamped with `source_ns` or the time of the call. Never gets further ahead of
-  /// reliable readers than they can follow. Throws bus::Error where they do not for a second.
+  /// Publishes, stamped with `source_ns` or the time of the call. Waits for reliable readers that
+  /// cannot follow; throws bus::Error where they do not for a second.
   void write(const mcap::Bytes& cdr, std::optional<std::int64_t> source_ns = std::nullopt);
   /// Waits until all reliable readers have everything; false after `limit`.
   bool flush(std::chrono::nanoseconds limit) { return writer_.await_acknowledged(limit); }
 
  private:
-  bus::RawQos qos_;
   bus::RawWriter writer_;
-  int unacknowledged_ = 0;
 };
 
 }  // namespace scarab::log
