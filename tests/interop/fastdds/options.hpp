@@ -1,13 +1,8 @@
 #pragma once
 
 #include <cstdint>
+#include <functional>
 #include <string>
-
-#include "tests/interop/fastdds/peer.hpp"
-
-namespace CLI {
-class App;
-}
 
 namespace scarab::fastdds {
 
@@ -31,6 +26,14 @@ struct Options {
   [[nodiscard]] std::string address() const;
 };
 
-void add_options(CLI::App& app, Options& options);
+struct Program {
+  std::string name;
+  std::string description;
+};
+
+/// Reads the command line and calls `serve`. The exit code: 0 done, 2 bad usage or configuration
+/// (serve throws std::invalid_argument), 1 failed otherwise; with one line of why on stderr.
+int run_program(const Program& program, int argc, char** argv,
+                const std::function<void(const Options&)>& serve);
 
 }  // namespace scarab::fastdds

@@ -1,5 +1,5 @@
-#include <CLI/CLI.hpp>
 #include <iostream>
+#include <stdexcept>
 
 #include "common/config/error.hpp"
 #include "common/config/robot_file.hpp"
@@ -11,40 +11,26 @@ using namespace scarab;
 
 namespace {
 
-int serve(const fastdds::Options& options) {
+void serve(const fastdds::Options& options) try {
   const std::string address = options.address();
   const auto expect = fastdds::parse_expectation(options.expect);
   const auto robot = config::load_robot(options.robot);
   const auto config = premotor::load_config(options.config);
   if (options.dump_config) std::cout << premotor::dump_config(config);
-  if (options.check || options.dump_config) return 0;
+  if (options.check || options.dump_config) return;
   fastdds::StopSignal stop;
   fastdds::Node node(options.domain, address, {"premotor", options.instance});
   fastdds::Premotor premotor(node, expect, premotor::PremotorController(config, robot),
                              fastdds::StateFile(options.run_dir, options.instance));
   premotor.run(stop);
-  return 0;
+} catch (const config::Error& error) {
+  throw std::invalid_argument(error.what());
 }
 
 }  // namespace
 
 int main(int argc, char** argv) {
-  CLI::App app{"The premotor controller on another vendor's DDS (Fast DDS).", "fastdds-premotor"};
-  fastdds::Options options;
-  fastdds::add_options(app, options);
-  try {
-    app.parse(argc, argv);
-    return serve(options);
-  } catch (const CLI::ParseError& error) {
-    return app.exit(error) == 0 ? 0 : 2;
-  } catch (const config::Error& error) {
-    std::cerr << error.what() << '\n';
-    return 2;
-  } catch (const std::invalid_argument& error) {
-    std::cerr << "fastdds-premotor: " << error.what() << '\n';
-    return 2;
-  } catch (const std::exception& error) {
-    std::cerr << "fastdds-premotor: " << error.what() << '\n';
-    return 1;
-  }
+  return fastdds::run_program(
+      {"fastdds-premotor", "The premotor controller on another vendor's DDS (Fast DDS)."}, argc,
+      argv, serve);
 }
