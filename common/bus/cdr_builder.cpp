@@ -6,6 +6,7 @@
 #include <set>
 
 #include "common/bus/cdr_output.hpp"
+#include "common/bus/cdr_rules.hpp"
 #include "common/bus/clock.hpp"
 #include "common/bus/field_path.hpp"
 #include "common/bus/written_number.hpp"
@@ -37,6 +38,8 @@ WrittenValue time_now() {
 
 class Builder {
  public:
+  explicit Builder(CdrOutput::Encoding encoding) : out_(encoding) {}
+
   Bytes finish() { return out_.finish(); }
 
   void build(const Type& type, const WrittenValue& value, const std::string& path) {
@@ -45,6 +48,7 @@ class Builder {
     } else if (const auto* alias = std::get_if<AliasType>(&type.kind)) {
       build(*alias->target, value, path);
     } else if (const auto* array = std::get_if<ArrayType>(&type.kind)) {
+      const CdrOutput::Delimited part(out_, out_.is_xcdr2() && is_delimited(*array));
       build_array(*array, 0, value, path);
     } else if (const auto* sequence = std::get_if<SequenceType>(&type.kind)) {
       build_sequence(*sequence, value, path);
@@ -66,6 +70,7 @@ class Builder {
       throw wrong(path, "a map of the members of " + type.name + " expected");
     }
     check_names(type, value, path);
+    const CdrOutput::Delimited part(out_, out_.is_xcdr2() && is_delimited(type));
     for (const Member& member : type.members) {
       const auto found = std::find(value.keys.begin(), value.keys.end(), member.name);
       const auto index = static_cast<std::size_t>(found - value.keys.begin());
@@ -88,7 +93,14 @@ class Builder {
 
   void build_array(const ArrayType& type, std::size_t depth, const WrittenValue& value,
                    const std::string& path) {
-    if (depth == type.dimensions.size()) return build(*type.element, value, path);
+    if (depth == type.dimensions.size()) {
+      // An array of arrays has one length before it, see is_delimited().
+      const Type& element = resolve(*type.element);
+      if (const auto* inner = std::get_if<ArrayType>(&element.kind)) {
+        return build_array(*inner, 0, value, path);
+      }
+      return build(element, value, path);
+    }
     const std::size_t size = type.dimensions[depth];
     expect_list(value, path);
     if (value.kind == Kind::kList && value.items.size() != size) {
@@ -108,6 +120,7 @@ class Builder {
     if (type.bound != 0 && size > type.bound) {
       throw wrong(path, std::to_string(size) + " elements, at most " + std::to_string(type.bound));
     }
+    const CdrOutput::Delimited part(out_, out_.is_xcdr2() && is_delimited(type));
     out_.write(static_cast<std::uint32_t>(size));
     for (std::size_t i = 0; i < size; ++i) {
       build(*type.element, value.items[i], path + "[" + std::to_string(i) + "]");
@@ -147,10 +160,16 @@ class Builder {
   CdrOutput out_;
 };
 
+CdrOutput::Encoding encoding_of(const TypeModel& model) {
+  if (!needs_xcdr2(*model.type())) return CdrOutput::Encoding::kXcdr1;
+  return is_delimited(model.root()) ? CdrOutput::Encoding::kDelimitedXcdr2
+                                    : CdrOutput::Encoding::kXcdr2;
+}
+
 }  // namespace
 
 Bytes build_cdr(const TypeModel& model, const WrittenValue& value) {
-  Builder builder;
+  Builder builder(encoding_of(model));
   builder.build(*model.type(), value, "");
   return builder.finish();
 }

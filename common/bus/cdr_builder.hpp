@@ -19,8 +19,8 @@ struct WrittenValue {
   std::vector<WrittenValue> items;  ///< of kList and kMap
 };
 
-/// The bytes of the sample of a type that a value describes: XCDR1, little-endian, header first,
-/// padded as encode_sample() pads.
+/// The bytes of the sample of a type that a value describes, in the representation and with the
+/// padding that encode_sample() gives them.
 ///
 /// Members that are left out, and nothing, are zero: false, empty text, an empty sequence, of an
 /// enum the value 0 or else its first. Numbers are written as in JSON, those of floats also nan,

@@ -1,24 +1,12 @@
 #include "common/bus/cdr_visitor.hpp"
 
 #include "common/bus/cdr_cursor.hpp"
+#include "common/bus/cdr_rules.hpp"
 #include "common/bus/error.hpp"
 
 namespace scarab::bus {
 
 namespace {
-
-// XCDR2 writes the length of a list before it, unless its elements are primitive (DDS-XTypes 1.3,
-// 7.4.3.5.3, rules 12 and 15).
-
-bool is_delimited(const SequenceType& type) {
-  return !std::holds_alternative<Primitive>(resolve(*type.element).kind);
-}
-
-bool is_delimited(const ArrayType& type) {
-  const Type& element = resolve(*type.element);
-  if (const auto* inner = std::get_if<ArrayType>(&element.kind)) return is_delimited(*inner);
-  return !std::holds_alternative<Primitive>(element.kind);
-}
 
 class Walk {
  public:
@@ -34,8 +22,7 @@ class Walk {
   }
   void operator()(const AliasType& type) { value(*type.target); }
   void operator()(const StructType& type) {
-    const bool grows = type.extensibility == Extensibility::kAppendable;
-    const CdrCursor::Delimited part(cursor_, cursor_.is_xcdr2() && grows);
+    const CdrCursor::Delimited part(cursor_, cursor_.is_xcdr2() && is_delimited(type));
     visitor_.begin_struct(type);
     for (const Member& member : type.members) {
       visitor_.member(member.name);
@@ -59,7 +46,7 @@ class Walk {
  private:
   void dimension(const ArrayType& type, std::size_t depth) {
     if (depth == type.dimensions.size()) {
-      // An array of arrays is one array to Cyclone, with typedefs in between as without.
+      // An array of arrays has one length before it, see is_delimited().
       const Type& element = resolve(*type.element);
       if (const auto* inner = std::get_if<ArrayType>(&element.kind)) return dimension(*inner, 0);
       return value(element);

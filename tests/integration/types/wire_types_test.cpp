@@ -5,6 +5,7 @@
 
 #include <algorithm>
 
+#include "common/bus/cdr_builder.hpp"
 #include "common/bus/discovery.hpp"
 #include "common/bus/dynamic_sample.hpp"
 #include "common/bus/idl_parser.hpp"
@@ -118,6 +119,13 @@ INSTANTIATE_TEST_SUITE_P(, WireTypeInXcdr2, testing::ValuesIn(all_and_growing_ty
 
 struct GrowingWireType : WireType {};
 TEST_P(GrowingWireType, IsWrittenAgainByWhoNeverKnewIt) { expect_written_again(in_xcdr2()); }
+
+TEST_P(GrowingWireType, IsBuiltAsCyclonePutsIt) {
+  const auto type = bus::borrow_compiled(compiled);
+  const bus::Bytes built = bus::build_cdr(bus::TypeModel::from_descriptor(compiled), {});
+  EXPECT_EQ(bus::encode_sample(compiled, bus::DynamicSample(type, built).get()), built);
+}
+
 INSTANTIATE_TEST_SUITE_P(, GrowingWireType, testing::ValuesIn(growing_types()), test_name);
 
 }  // namespace

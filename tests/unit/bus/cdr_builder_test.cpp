@@ -103,6 +103,34 @@ TEST(CdrBuilder, WritesTheBytesACompiledWriterWrites) {
             encode(state));
 }
 
+TEST(CdrBuilder, WritesTypesThatMayGrowInXcdr2) {
+  const TypeRef step = make(StructType{
+      "Step",
+      {{"leg", make(Primitive::kInt16), false}, {"height", make(Primitive::kDouble), false}},
+      Extensibility::kAppendable});
+  const TypeModel model(make(StructType{"T",
+                                        {{"id", make(Primitive::kOctet), true},
+                                         {"steps", make(SequenceType{step, 0}), false},
+                                         {"last", make(Primitive::kInt64), false}}}));
+  const WrittenValue value =
+      map({{"id", plain("7")},
+           {"steps", list({map({{"leg", plain("-1")}, {"height", plain("1.5")}})})},
+           {"last", plain("5")}});
+  // The rules of DDS-XTypes 1.3, 7.4.3: lengths before the sequence and the step, doubles and
+  // 64-bit integers aligned to 4.
+  const int expected[] = {0,    7,    0, 0,                     // PLAIN_CDR2: T itself is final
+                          7,    0,    0, 0, 20, 0, 0,    0,     // id; bytes of steps
+                          1,    0,    0, 0, 12, 0, 0,    0,     // their number; bytes of the first
+                          0xFF, 0xFF, 0, 0,                     // leg
+                          0,    0,    0, 0, 0,  0, 0xF8, 0x3F,  // height
+                          5,    0,    0, 0, 0,  0, 0,    0};    // last
+  Bytes bytes;
+  for (const int byte : expected) bytes.push_back(static_cast<std::byte>(byte));
+  EXPECT_EQ(build_cdr(model, value), bytes);
+  EXPECT_EQ(json_text(model, bytes),
+            R"({"id": 7, "steps": [{"leg": -1, "height": 1.5}], "last": 5})");
+}
+
 TEST(CdrBuilder, TakesIntegersOfTheirRangeOnly) {
   const TypeModel octet = with_member(Primitive::kOctet);
   EXPECT_EQ(json_of(octet, plain("255")), "{\"x\": 255}");
