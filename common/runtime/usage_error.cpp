@@ -1,6 +1,7 @@
 #include "common/runtime/usage_error.hpp"
 
 #include <CLI/CLI.hpp>
+#include <algorithm>
 #include <optional>
 #include <string_view>
 #include <vector>
@@ -43,7 +44,11 @@ std::optional<std::string> nearest(const std::string& word, const Names& names) 
 
 std::string unknown_option(const CLI::App& app, const std::string& word) {
   const std::string name = word.substr(0, word.find('='));
-  const auto near = nearest(name, option_names(app));
+  const Names known = option_names(app);
+  if (std::find(known.begin(), known.end(), name) != known.end()) {
+    return "option '" + name + "' belongs before the command";
+  }
+  const auto near = nearest(name, known);
   return "unknown option '" + name + "'" + (near ? "; did you mean '" + *near + "'?" : "");
 }
 
@@ -56,6 +61,14 @@ std::string unknown_command(const CLI::App& app, const std::string& word) {
   return "unknown command '" + word + "'; there are " + known;
 }
 
+/// CLI11 writes out where the range of a number ends that has no upper limit: in 309 digits.
+std::string without_endless_range(const std::string& text) {
+  constexpr std::size_t kLongestRange = 100;
+  const std::size_t range = text.find(" not in range ");
+  const bool is_endless = range != std::string::npos && text.size() - range > kLongestRange;
+  return is_endless ? text.substr(0, range) + " is too small" : text;
+}
+
 }  // namespace
 
 std::string usage_error(const CLI::App& app, const CLI::ParseError& error) {
@@ -63,7 +76,7 @@ std::string usage_error(const CLI::App& app, const CLI::ParseError& error) {
   const bool is_missing = dynamic_cast<const CLI::RequiredError*>(&error) != nullptr;
   const bool is_too_much = dynamic_cast<const CLI::ExtrasError*>(&error) != nullptr;
   const Names strangers = is_missing || is_too_much ? app.remaining(true) : Names{};
-  if (strangers.empty()) return error.what();
+  if (strangers.empty()) return without_endless_range(error.what());
   const std::string& word = strangers.front();
   if (word.size() > 1 && word.front() == '-') return unknown_option(app, word);
   const bool has_command = !app.get_subcommands().empty() || command_names(app).empty();

@@ -15,7 +15,10 @@ std::string said_of(const std::vector<std::string>& words) {
   app.require_subcommand(1);
   bool flag = false;
   std::string text;
+  double number = 0;
   app.add_flag("--quietly", flag);
+  app.add_option("--rate", number)->check(CLI::PositiveNumber);
+  app.add_option("--share", number)->check(CLI::Range(0.0, 1.0));
   app.add_subcommand("list", "")->add_flag("--verbose", flag);
   CLI::App* echo = app.add_subcommand("echo", "");
   echo->add_option("topic", text)->required();
@@ -50,6 +53,10 @@ TEST(UsageError, OptionOfAnotherCommandIsUnknown) {
   EXPECT_EQ(said_of({"list", "--format", "csv"}), "unknown option '--format'");
 }
 
+TEST(UsageError, OptionOfTheProgramIsSentToItsPlace) {
+  EXPECT_EQ(said_of({"list", "--rate", "3"}), "option '--rate' belongs before the command");
+}
+
 TEST(UsageError, WordTooMuchIsNamed) {
   EXPECT_EQ(said_of({"list", "scarab/trial"}), "unexpected argument 'scarab/trial'");
 }
@@ -58,6 +65,11 @@ TEST(UsageError, WhatIsMissingIsNamed) {
   EXPECT_THAT(said_of({}), HasSubstr("subcommand is required"));
   EXPECT_THAT(said_of({"echo", "--format", "csv"}), HasSubstr("topic"));
   EXPECT_THAT(said_of({"echo", "a"}), HasSubstr("--format"));
+}
+
+TEST(UsageError, RangeIsToldWhereItHasAnEnd) {
+  EXPECT_EQ(said_of({"--rate", "0", "list"}), "--rate: Value 0 is too small");
+  EXPECT_THAT(said_of({"--share", "2", "list"}), HasSubstr("--share: Value 2 not in range"));
 }
 
 TEST(UsageError, NothingIsSaidOfAGoodLine) {
