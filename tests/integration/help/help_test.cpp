@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "tests/support/commands.hpp"
 #include "tests/support/programs.hpp"
 
 namespace scarab::test {
@@ -35,6 +36,23 @@ TEST(Help, OfEveryProgramHasAnExampleOfItself) {
     const auto example = result.out.find("xample");
     EXPECT_NE(result.out.find(name + " ", example), std::string::npos) << name;
   }
+}
+
+TEST(Help, OfEveryCommandHasAnExampleOfItself) {
+  std::size_t commands = 0;
+  for (const auto& name : programs()) {
+    for (const auto& command : commands_of(name)) {
+      ++commands;
+      const auto result = run({program(name), command, "--help"});
+      const std::string what = name + " " + command;
+      EXPECT_EQ(result.exit_code, 0) << what;
+      EXPECT_EQ(result.err, "") << what;
+      const auto example = result.out.find("xample");
+      ASSERT_NE(example, std::string::npos) << what;
+      EXPECT_NE(result.out.find(what, example), std::string::npos) << what << " has no example";
+    }
+  }
+  EXPECT_GE(commands, 30U);
 }
 
 }  // namespace
