@@ -1,5 +1,6 @@
 #include "tools/log/info.hpp"
 
+#include <cstdlib>
 #include <iomanip>
 
 #include "tools/log/words.hpp"
@@ -63,19 +64,43 @@ void print_trials(const LogFacts& facts, std::ostream& out) {
   }
 }
 
+/// The policies by which readers match, and what of the others is not usual.
+std::string qos_text(const std::map<std::string, std::string>& qos) {
+  std::string text;
+  const auto add = [&](const std::string& word, const std::string& name, const std::string& usual) {
+    const auto found = qos.find(word);
+    if (found == qos.end() || found->second == usual) return;
+    text += (text.empty() ? "" : ", ") + name + found->second;
+  };
+  const auto add_time = [&](const std::string& word, const std::string& name) {
+    const auto found = qos.find(word);
+    if (found == qos.end()) return;
+    text +=
+        ", " + name + fixed_text(std::strtod(found->second.c_str(), nullptr) / kNsPerS, 3) + " s";
+  };
+  add("reliability", "", "");
+  add("durability", "", "");
+  add("ownership", "ownership ", "shared");
+  add("ownership_strength", "strength ", "0");
+  add("liveliness", "liveliness ", "automatic");
+  add_time("lease_ns", "lease ");
+  add_time("deadline_ns", "deadline ");
+  add("representation", "", "xcdr1");
+  for (const auto& [word, value] : qos) {
+    if (word.rfind("partition.", 0) == 0) add(word, "partition ", "");
+  }
+  return text;
+}
+
 void print_topic(const TopicFacts& topic, std::ostream& out) {
   out << "  " << std::left << std::setw(26) << topic.topic << ' ' << std::setw(24)
       << (topic.type.empty() ? "(no schema)" : topic.type) << ' ' << std::right << std::setw(9)
       << topic.messages << ' ' << std::setw(9) << fixed_text(topic.rate_hz, 1) << "/s";
   if (!topic.writers.empty()) out << "  by " << topic.writers;
+  if (!topic.qos.empty()) out << ", " << qos_text(topic.qos);
   if (topic.dropped > 0) out << "  (" << topic.dropped << " dropped)";
   out << '\n';
   if (!topic.no_type.empty()) out << "    shown as bytes: " << topic.no_type << '\n';
-  std::string words;
-  for (const auto& [word, value] : topic.qos) {
-    words += (words.empty() ? "" : ", ") + word + " " + value;
-  }
-  if (!words.empty()) out << "    " << words << '\n';
 }
 
 void print_extras(const FileFacts& file, const std::string& of, std::ostream& out) {

@@ -36,9 +36,12 @@ class Info : public testing::Test {
       log.write(bus::kRobotState, state(1, tick, false), kSecond * tick);
     }
     log.write(bus::kRobotState, state(2, 7, true), kSecond * 5);
-    const auto channel = log.writer().add_channel(
-        0, "camera", "jpeg",
-        {{"type", "cam::Image"}, {"writers", "camera/0"}, {"qos.reliability", "best effort"}});
+    const auto channel = log.writer().add_channel(0, "camera", "jpeg",
+                                                  {{"type", "cam::Image"},
+                                                   {"writers", "camera/0"},
+                                                   {"qos.reliability", "best-effort"},
+                                                   {"qos.ownership", "shared"},
+                                                   {"qos.partition.0", "left"}});
     log.write(channel, 0, std::string_view("x"));
     log.writer().attach({0, 0, "config/a.yaml", "application/yaml", {'a'}});
     log.writer().add_metadata({"scarab.recorded", {{"dropped", "12"}, {"dropped.camera", "12"}}});
@@ -63,9 +66,11 @@ TEST_F(Info, NamesTrialsTopicsCountsAndAttachments) {
 
 TEST_F(Info, NamesWritersQosAndWhatWasDropped) {
   EXPECT_THAT(text(), HasSubstr("dropped: 12 samples that the recorder could not keep"));
-  EXPECT_THAT(text(), ContainsRegex("camera +cam::Image +1 .*by camera/0  \\(12 dropped\\)"));
+  EXPECT_THAT(
+      text(),
+      ContainsRegex(
+          "camera +cam::Image +1 .*by camera/0, best-effort, partition left  \\(12 dropped\\)"));
   EXPECT_THAT(text(), HasSubstr("shown as bytes: its messages are in 'jpeg'"));
-  EXPECT_THAT(text(), HasSubstr("reliability best effort"));
 }
 
 TEST_F(Info, IsJsonToo) {
