@@ -22,6 +22,12 @@ Arguments Launcher::scarab(const Arguments& words) const {
   return Arguments{"/usr/bin/setsid", source_file("deploy/scarab")} + words + places;
 }
 
+Arguments Launcher::tool(const Arguments& words) const {
+  return Arguments{"/usr/bin/env", "SCARAB_BIN=" + fs::path(program("x")).parent_path().string(),
+                   "SCARAB_RUNS=" + runs_.string(), source_file("deploy/scarab")} +
+         words;
+}
+
 Arguments Launcher::scarab_run(const Arguments& options) const {
   return scarab(Arguments{"run", "--no-figure", "--tag", test_tag()} + options);
 }

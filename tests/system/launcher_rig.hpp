@@ -23,6 +23,8 @@ class Launcher : public testing::Test {
 
   /// The command line; a session of its own, so that Ctrl-C reaches all of it and nobody else.
   [[nodiscard]] Arguments scarab(const Arguments& words) const;
+  /// The command line of a tool, which takes no options of the launcher's, on this test's places.
+  [[nodiscard]] Arguments tool(const Arguments& words) const;
   /// `scarab run` on a stack of its own, with the test's tag; it draws no figure.
   [[nodiscard]] Arguments scarab_run(const Arguments& options) const;
   /// `scarab up` with the test's tag. Expects success.

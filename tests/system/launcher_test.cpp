@@ -38,6 +38,16 @@ TEST_F(Launcher, RunThatSucceedsLeavesAllItsFiles) {
   EXPECT_TRUE(contiguous_from_zero(trial.ticks));
   EXPECT_EQ(trial.ticks.size(), 31U);  // 3 s at 10 Hz and the tick of the verdict
   EXPECT_THAT(living(), IsEmpty());
+  const auto latest = run(tool({"log", "info", "latest"}));
+  EXPECT_EQ(latest.exit_code, 0) << latest.err;
+  EXPECT_THAT(latest.out, HasSubstr("scarab/neural_activity"));
+}
+
+TEST_F(Launcher, RunWithoutALoggerWaitsForNone) {
+  const auto result = run(scarab_run(kSuccess + Arguments{"--no-log"}), kRunLimit);
+  EXPECT_EQ(result.exit_code, 0) << result.out << result.err;
+  EXPECT_FALSE(fs::exists(run_directory() / "logs" / "logger.log"));
+  EXPECT_FALSE(fs::exists(run_directory() / "trial.mcap"));
 }
 
 TEST_F(Launcher, RunThatFailsSaysSo) {
@@ -129,8 +139,8 @@ TEST_F(Launcher, SpareTakesPartWithNoChangeOfTheTrial) {
   const auto both = run(scarab_run(kSuccess + Arguments{"--replicas", "premotor=2"}), kRunLimit);
   ASSERT_EQ(both.exit_code, 0) << both.err;
   EXPECT_TRUE(fs::exists(run_directory() / "logs" / "premotor-1.log"));
-  const auto result = run({program("scarab-log"), "diff", log_alone,
-                           run_directory() / "trial.mcap", "--topic", "scarab/robot_state"});
+  const auto result = run({program("scarab-log"), "diff", log_alone, run_directory() / "trial.mcap",
+                           "--topic", "scarab/robot_state"});
   EXPECT_EQ(result.exit_code, 0) << result.out << result.err;
 }
 
@@ -150,9 +160,7 @@ TEST_F(Launcher, OperatorSpeaksToTheStackThatIsUp) {
 
 TEST_F(Launcher, CompletesWhatTheToolsThemselvesOffer) {
   const auto candidates = [&](const std::string& line) {
-    return run({"/usr/bin/env", "SCARAB_BIN=" + fs::path(program("x")).parent_path().string(),
-                source_file("deploy/scarab"), "__complete", "line", line})
-        .out;
+    return run(tool({"__complete", "line", line})).out;
   };
   EXPECT_THAT(candidates("scarab topic "), HasSubstr("echo\t"));
   EXPECT_THAT(candidates("scarab log "), HasSubstr("recover\t"));
@@ -161,6 +169,21 @@ TEST_F(Launcher, CompletesWhatTheToolsThemselvesOffer) {
   EXPECT_THAT(candidates("scarab run --strategy "), HasSubstr("soft+hard\n"));
   EXPECT_THAT(candidates("scarab config "), HasSubstr("check\t"));
   EXPECT_THAT(candidates("scarab drive --"), HasSubstr("--trial\t"));
+}
+
+TEST_F(Launcher, CompletesTopicsAndFieldsOfTheSystemThatRunsAndOfItsLog) {
+  up({"--lockstep"});
+  ASSERT_EQ(run(scarab(Arguments{"run", "--no-figure"} + kSuccess), kRunLimit).exit_code, 0);
+  const auto candidates = [&](const std::string& line) {
+    return run(tool({"__complete", "line", line})).out;
+  };
+  EXPECT_THAT(candidates("scarab topic echo scarab/b"), "scarab/behaviour\n");
+  EXPECT_THAT(candidates("scarab topic echo scarab/behaviour --field bs_t"), "bs_threshold_rad\n");
+  EXPECT_THAT(candidates("scarab topic pub x --type scarab::B"), "scarab::Behaviour\n");
+  ASSERT_EQ(run(scarab({"down"}), kRunLimit).exit_code, 0);
+  EXPECT_THAT(candidates("scarab log cat latest --topic scarab/b"), "scarab/behaviour\n");
+  EXPECT_THAT(candidates("scarab log cat latest --topic scarab/behaviour --field bs_t"),
+              "bs_threshold_rad\n");
 }
 
 }  // namespace
