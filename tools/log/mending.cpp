@@ -73,9 +73,11 @@ std::string to_string(const std::filesystem::path& cut, const Mending& mending) 
   if (recovery.kept.message_count > 0) {
     text += ", the last of " + utc_text(recovery.kept.end_time_ns);
   }
-  text += "\n  lost: " + (recovery.bytes_lost == 0 ? std::string("nothing that had been written")
-                                                   : counted(recovery.bytes_lost, "byte") +
-                                                         " at the end, no whole record");
+  text += "\n  lost: what its recorder had not written yet when it ended";
+  if (recovery.bytes_lost > 0) {
+    text +=
+        ", and " + counted(recovery.bytes_lost, "byte") + " at the end that are no whole record";
+  }
   if (recovery.damaged > 0) {
     text += "\n  left out: " + counted(recovery.damaged, "damaged record") +
             ", the first: " + recovery.damage;

@@ -183,6 +183,7 @@ void Interviewer::report(const AnswerBook& book, const std::string& topic) const
 }
 
 void Interviewer::report() const {
+  if (asked_ == 0) return;
   if (left_out_ > 0) {
     out_ << counted(left_out_, "tick") << " of trials that the log does not have from the start\n";
   }
