@@ -147,15 +147,21 @@ bool Conductor::left_over(const runtime::ServiceReport& report) const {
   return report.header.stamp_ns < told_ns_ && Clock::now() - told_ < kPatience;
 }
 
-/// Why no verdict will come; nothing while all is well.
-std::optional<std::string> Conductor::fault() const {
-  if (auto reason = fault_.reason()) return reason;
+std::optional<std::string> Conductor::fault_said(bool by_logger) const {
   for (const auto& [peer, report] : board_.reports()) {
-    if (report.health == scarab_HEALTH_FAULT && !left_over(report)) {
+    const bool is_logger = peer.service == "logger";
+    if (report.health == scarab_HEALTH_FAULT && !left_over(report) && is_logger == by_logger) {
       return bus::to_string(peer) + ": " + report.message;
     }
   }
   return std::nullopt;
+}
+
+/// Why no verdict will come; nothing while all is well. A logger that cannot write is no reason:
+/// in lockstep the tick master waits for it, and ends the trial when its patience does.
+std::optional<std::string> Conductor::fault() const {
+  if (auto reason = fault_.reason()) return reason;
+  return fault_said(false);
 }
 
 bool Conductor::recorded(const TrialWatch& watch) const {
@@ -176,11 +182,12 @@ void Conductor::await_record(TrialWatch& watch) {
     return !watch.outcome().judged || plant_gone_ || fault();
   };
   while (Clock::now() - since < kRecordLimit) {
-    if (complete() && recorded(watch)) break;
+    if (complete() && (recorded(watch) || fault_said(true))) break;
     wait(kPoll);
   }
   if (!watch.complete()) watch.miss(fault().value_or("the last behaviour did not come"));
-  if (!recorded(watch)) watch.miss("logger/0 has not recorded the last tick");
+  if (recorded(watch)) return;
+  watch.miss(fault_said(true).value_or("logger/0 has not recorded the last tick"));
 }
 
 }  // namespace scarab::experiment

@@ -57,6 +57,7 @@ class Conductor {
   void watch_for_trouble(TrialWatch& watch, std::chrono::seconds silence_limit);
   [[nodiscard]] bool left_over(const runtime::ServiceReport& report) const;
   [[nodiscard]] std::optional<std::string> fault() const;
+  [[nodiscard]] std::optional<std::string> fault_said(bool by_logger) const;
   [[nodiscard]] bool recorded(const TrialWatch& watch) const;
   void await_record(TrialWatch& watch);
 
