@@ -2,6 +2,7 @@
 
 #include <csignal>
 
+#include "tests/support/ballast.hpp"
 #include "tests/support/files.hpp"
 #include "tests/support/status_watch.hpp"
 #include "tests/system/stack.hpp"
@@ -101,6 +102,41 @@ TEST_F(Logger, KilledLoggerLeavesEveryClosedChunkAndARestartedOneGoesOn) {
   const auto undisturbed = directory_ / "undisturbed.mcap";
   ASSERT_LE(run(simulate(undisturbed), kTrialLimit).exit_code, 1);
   EXPECT_EQ(rest.ticks.back(), read_trial(undisturbed).ticks.back());
+}
+
+/// Lockstep waits for the disk as for everything, but not for ever.
+TEST_F(Logger, OnAFullDiskTheTrialEndsForThatReasonAndIsRecordedOnceThereIsRoom) {
+  constexpr std::uint64_t kMib = std::uint64_t{1} << 20U;
+  constexpr std::uint64_t kMargin =
+      256;  // MiB by which others may fill or empty the disk meanwhile
+  const std::uint64_t free_mib = std::filesystem::space(directory_.path()).available / kMib;
+  ASSERT_GT(free_mib, 3 * kMargin) << "too little room on the disk of " << directory_.path();
+  write_text(directory_ / "logger.yaml",
+             "free_disk_mib: " + std::to_string(free_mib - kMargin) + "\n");
+  Stack::Options options;
+  options.others = {"logger"};
+  Stack stack(directory_ / "stack", options);
+  ChildProcess logger = start({"logger",
+                               stack.expect(),
+                               stack.directory(),
+                               0,
+                               {"--output", stack.log(), "--config", directory_ / "logger.yaml"}});
+  auto experiment = stack.conduct(main_trial());
+  ASSERT_TRUE(view_.await_tick(40)) << experiment.out() << logger.err() << stack.errors();
+  {
+    const Ballast ballast(directory_ / "ballast", 2 * kMargin * kMib);
+    ASSERT_TRUE(status_.await_message(plant_, "disk too full to record")) << stack.errors();
+    ASSERT_TRUE(experiment.wait(kTrialLimit)) << stack.errors();
+  }
+  EXPECT_THAT(experiment.out(), HasSubstr("logger/0 has not recorded tick"));
+  EXPECT_THAT(experiment.out(), HasSubstr("disk too full to record")) << experiment.err();
+  EXPECT_TRUE(stack.stop()) << stack.errors();
+  EXPECT_EQ(logger.stop(), 0) << logger.err();
+  auto ticks = read_trial(stack.log()).ticks;
+  const auto rest = read_trial(stack.directory() / "trial-2.mcap").ticks;
+  ticks.insert(ticks.end(), rest.begin(), rest.end());
+  EXPECT_TRUE(contiguous_from_zero(ticks));
+  EXPECT_EQ(ticks.back(), view_.tick());
 }
 
 }  // namespace

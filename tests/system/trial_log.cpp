@@ -63,7 +63,7 @@ bool contiguous_from_zero(const std::vector<std::uint32_t>& ticks) {
 }
 
 Finished compare(const std::filesystem::path& a, const std::filesystem::path& b) {
-  return run({program("scarab-log"), "compare", a, b});
+  return run({program("scarab-log"), "diff", a, b});
 }
 
 void copy_with_changed_byte(const std::filesystem::path& from, const std::filesystem::path& to,

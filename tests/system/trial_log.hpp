@@ -22,7 +22,7 @@ TrialLog read_trial(const std::filesystem::path& log);
 /// True if `ticks` are 0, 1, 2, ...
 bool contiguous_from_zero(const std::vector<std::uint32_t>& ticks);
 
-/// `scarab-log compare`: exit code 0 if the chain's samples are equal to the byte.
+/// `scarab-log diff`: exit code 0 if the chain's samples are equal to the byte.
 Finished compare(const std::filesystem::path& a, const std::filesystem::path& b);
 
 /// A copy of a log in which one byte of the n-th sample of `topic` (from 0), `offset` bytes behind

@@ -1,13 +1,12 @@
 /// The recorder as a process: its files, one after the other, and what it does when it cannot keep
 /// up with what comes or finds no room.
-#include <fcntl.h>
-
 #include <set>
 
 #include "common/bus/raw_writer.hpp"
 #include "common/bus/sample_fields.hpp"
 #include "tests/integration/logger/fixture.hpp"
 #include "tests/integration/logger/reading.hpp"
+#include "tests/support/ballast.hpp"
 
 namespace scarab::logger::test {
 namespace {
@@ -165,24 +164,6 @@ TEST_F(Slow, InLockstepDropsNothing) {
   EXPECT_EQ(health_, scarab_HEALTH_OK) << said_;
 }
 
-/// Takes up room on the disk as long as it lives.
-class Ballast {
- public:
-  Ballast(std::filesystem::path path, std::uint64_t bytes) : path_(std::move(path)) {
-    const int file = ::open(path_.c_str(), O_WRONLY | O_CREAT | O_CLOEXEC, 0600);
-    full_ = file >= 0 && ::posix_fallocate(file, 0, static_cast<off_t>(bytes)) == 0;
-    ::close(file);
-  }
-  Ballast(const Ballast&) = delete;
-  Ballast& operator=(const Ballast&) = delete;
-  ~Ballast() { std::filesystem::remove(path_); }
-  bool full() const { return full_; }
-
- private:
-  std::filesystem::path path_;
-  bool full_ = false;
-};
-
 TEST_F(Files, OnAFullDiskTheLogIsClosedWholeAndGoesOnWhenThereIsRoom) {
   constexpr std::uint64_t kMib = std::uint64_t{1} << 20U;
   constexpr std::uint64_t kMargin =
@@ -196,8 +177,7 @@ TEST_F(Files, OnAFullDiskTheLogIsClosedWholeAndGoesOnWhenThereIsRoom) {
   ASSERT_TRUE(wait_until_ready(1)) << logger->output();
   ASSERT_TRUE(write_states(states, 1, 0, 19)) << logger->output();
   {
-    const Ballast ballast(folder_ / "ballast", 2 * kMargin * kMib);
-    ASSERT_TRUE(ballast.full()) << "no file of that size can be made here";
+    const scarab::test::Ballast ballast(folder_ / "ballast", 2 * kMargin * kMib);
     ASSERT_TRUE(eventually([&] { return status().health == scarab_HEALTH_FAULT; }))
         << status().message;
     EXPECT_THAT(status().message, HasSubstr("disk too full to record: "));
