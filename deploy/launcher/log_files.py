@@ -13,8 +13,8 @@ _FEW = 3
 def log_files(directory: Path) -> List[Path]:
     """In the order of writing; those that were not closed too. Of trials on a stack that is (or was) up, the
     stack's."""
-    stack = directory / "stack"  # a link, made by `scarab run`
-    place = stack if stack.is_dir() else directory
+    stack = directory / "stack"  # a link that `scarab run` makes
+    place = stack if stack.is_symlink() else directory
     found = {path.name.removesuffix(OPEN): path for path in sorted(place.glob("trial*"), reverse=True)
              if is_log(path.name)}  # the closed one, where there are both
     return [found[name] for name in sorted(found, key=_order)]
