@@ -3,6 +3,7 @@
 #include "common/bus/error.hpp"
 #include "common/bus/idl_parser.hpp"
 #include "common/bus/known_types.hpp"
+#include "tools/log/ros_message.hpp"
 
 namespace scarab::log {
 namespace {
@@ -11,14 +12,18 @@ namespace {
 void find_type(const mcap::Schema& schema, LogChannel& channel) {
   if (const auto* known = bus::find_known_type(schema.name); known && schema.data.empty()) {
     channel.type = bus::TypeModel::from_descriptor(*known);
-  } else if (schema.encoding != "omgidl") {
-    channel.no_type = "its schema is in '" + schema.encoding + "', which is not read here";
-  } else {
-    try {
+    return;
+  }
+  try {
+    if (schema.encoding == "omgidl") {
       channel.type = bus::parse_idl(schema.data, schema.name);
-    } catch (const bus::Error& error) {
-      channel.no_type = "its IDL cannot be used: " + std::string(error.what());
+    } else if (schema.encoding == "ros2msg") {
+      channel.type = parse_ros_message(schema.data, schema.name);
+    } else {
+      channel.no_type = "its schema is in '" + schema.encoding + "', which is not read here";
     }
+  } catch (const bus::Error& error) {
+    channel.no_type = "its schema cannot be used: " + std::string(error.what());
   }
 }
 

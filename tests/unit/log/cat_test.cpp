@@ -27,7 +27,7 @@ class Cat : public testing::Test {
     const auto meadow = log.add_channel("meadow", "meadow::Patch", "omgidl", kMeadowIdl);
     log.write(meadow, 7, patch(2.5, {7}));
     log.write(log.writer().add_channel(0, "noise", "cdr"), 8, std::string_view("\x01\xff"));
-    log.write(log.add_channel("ros", "std_msgs/msg/Bool", "ros2msg", "bool data"), 9,
+    log.write(log.add_channel("ros", "std_msgs/msg/Bool", "ros2idl", "..."), 9,
               std::string_view("\x01"));
     log.write(behaviour(2, 1, 6));
     log.close();
@@ -58,7 +58,7 @@ TEST_F(Cat, ShowsAsBytesWhatItHasNoTypeFor) {
   EXPECT_THAT(text, HasSubstr("\"bytes\":\"01\"}\n"));
   const std::string documents = cat({}, {false, {}});
   EXPECT_THAT(documents, HasSubstr("# it was recorded without a schema\nbytes: \"01ff\"\n"));
-  EXPECT_THAT(documents, HasSubstr("# its schema is in 'ros2msg'"));
+  EXPECT_THAT(documents, HasSubstr("# its schema is in 'ros2idl'"));
 }
 
 TEST_F(Cat, PrintsYamlDocuments) {
