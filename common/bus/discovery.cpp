@@ -5,6 +5,7 @@
 
 #include "common/bus/known_types.hpp"
 #include "common/bus/loan.hpp"
+#include "common/bus/made_descriptor.hpp"
 #include "common/bus/qos.hpp"
 
 namespace scarab::bus {
@@ -51,6 +52,16 @@ DiscoveredEndpoint discovered(EndpointKind kind, dds_builtintopic_endpoint_t& fr
 const dds_typeinfo_t* type_information(const Loan& announcement) {
   if (announcement.size() == 0 || !announcement.info(0).valid_data) return nullptr;
   return type_information(*static_cast<dds_builtintopic_endpoint_t*>(announcement.sample(0)));
+}
+
+/// `code`: what came of asking for the type.
+std::string why_unknown(bool has_information, dds_return_t code) {
+  if (!has_information) {
+    return "its writer sends no type information, and it is none of Scarab's own";
+  }
+  return code == DDS_RETCODE_UNSUPPORTED
+             ? "Cyclone DDS cannot read such types (their keys: bounded text, or in a base)"
+             : "its writer's process did not tell";
 }
 
 }  // namespace
@@ -109,18 +120,17 @@ TopicType Discovery::type_of(const DiscoveredEndpoint& endpoint, std::chrono::na
   const Loan announcement =
       Loan::read_instance(source.reader.handle(), endpoint.handle, "discovery");
   const dds_typeinfo_t* information = type_information(announcement);
+  dds_return_t code = DDS_RETCODE_NOT_FOUND;
   if (information != nullptr) {
     dds_topic_descriptor_t* descriptor = nullptr;
-    const dds_return_t code = dds_create_topic_descriptor(
-        DDS_FIND_SCOPE_GLOBAL, participant_.handle(), information, timeout.count(), &descriptor);
+    code = make_descriptor(participant_.handle(), DDS_FIND_SCOPE_GLOBAL, *information,
+                           timeout.count(), &descriptor);
     if (code == DDS_RETCODE_OK) return own_discovered(descriptor);
   }
   const dds_topic_descriptor_t* known = find_known_type(endpoint.type);
   if (known != nullptr) return borrow_compiled(*known);
   throw Error("type " + endpoint.type + " of " + endpoint.topic + ": " +
-              (information == nullptr
-                   ? "its writer sends no type information, and it is none of Scarab's own"
-                   : "its writer's process did not tell"));
+              why_unknown(information != nullptr, code));
 }
 
 std::array<dds_entity_t, 2> Discovery::conditions() const {

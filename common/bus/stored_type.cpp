@@ -5,6 +5,7 @@
 
 #include "common/bus/cyclone_log.hpp"
 #include "common/bus/error.hpp"
+#include "common/bus/made_descriptor.hpp"
 #include "common/bus/type_object_walker.hpp"
 
 namespace scarab::bus {
@@ -79,8 +80,8 @@ TopicType restore_type(Participant& participant, const StoredType& stored) {
   checked(dds_get_typeinfo(topic.handle(), &found));
   const Typeinfo information(found);
   dds_topic_descriptor_t* descriptor = nullptr;
-  checked(dds_create_topic_descriptor(DDS_FIND_SCOPE_LOCAL_DOMAIN, participant.handle(),
-                                      information.get(), 0, &descriptor));
+  checked(make_descriptor(participant.handle(), DDS_FIND_SCOPE_LOCAL_DOMAIN, *information, 0,
+                          &descriptor));
   return own_discovered(descriptor);
 }
 

@@ -265,8 +265,7 @@ void check_type_objects(const dds_topic_descriptor_t& descriptor) {
   const auto& map = *found.map;
   const bool whole = holds(map.identifier_object_pair_minimal, found.information->minimal) &&
                      holds(map.identifier_object_pair_complete, found.information->complete);
-  if (!whole)
-    throw Error("type " + std::string(descriptor.m_typename) + ": damaged type information");
+  if (!whole) throw Error("damaged type information");
 }
 
 }  // namespace scarab::bus

@@ -49,7 +49,7 @@ INSTANTIATE_TEST_SUITE_P(, Undecodable, testing::ValuesIn(kLimits), [](const aut
   return std::string(limit.param.type->m_typename).substr(6);
 });
 
-struct Silent : testing::Test {
+struct Unusual : testing::Test {
   bus::Participant foreign{test_options("")};
   bus::Participant logger{test_options("logger")};
   bus::Discovery discovery{logger};
@@ -74,7 +74,7 @@ dds_topic_descriptor_t without_information(const dds_topic_descriptor_t& from) {
           from.m_meta,     {},           {},          0};
 }
 
-TEST_F(Silent, WriterOfAForeignTypeIsReportedAsSuch) {
+TEST_F(Unusual, SilentWriterOfAForeignTypeIsReportedAsSuch) {
   const auto type = without_information(wire_Single_desc);
   AnyWriter writer(foreign, "wire/single", type);
   const bus::DiscoveredEndpoint found = discover("wire/single");
@@ -85,7 +85,7 @@ TEST_F(Silent, WriterOfAForeignTypeIsReportedAsSuch) {
                         "and it is none of Scarab's own")));
 }
 
-TEST_F(Silent, WriterOfAKnownTypeIsRead) {
+TEST_F(Unusual, SilentWriterOfAKnownTypeIsRead) {
   for (const std::string& name : bus::known_type_names()) {
     SCOPED_TRACE(name);
     const dds_topic_descriptor_t& compiled = *bus::find_known_type(name);
@@ -103,7 +103,20 @@ TEST_F(Silent, WriterOfAKnownTypeIsRead) {
   }
 }
 
-TEST_F(Silent, UndecodableTypeIsStillPublishedAgain) {
+TEST_F(Unusual, KeysThatCycloneCannotTakeAreSaid) {
+  for (const auto* type :
+       {&wire_KeyedInBase_desc, &wire_DerivedKeys_desc, &wire_KeyedByBoundedText_desc}) {
+    const std::string topic = std::string("wire/") + (type->m_typename + 6);
+    AnyWriter writer(foreign, topic, *type);
+    const bus::DiscoveredEndpoint found = discover(topic);
+    EXPECT_THAT([&] { discovery.type_of(found, seconds(10)); },
+                ThrowsMessage<bus::Error>(HasSubstr("Cyclone DDS cannot read such types")));
+    EXPECT_THAT([&] { bus::restore_type(logger, bus::store_type(*type)); },
+                ThrowsMessage<bus::Error>(HasSubstr("cannot be restored")));
+  }
+}
+
+TEST_F(Unusual, UndecodableTypeIsStillPublishedAgain) {
   wire_WithUnion sample{};
   sample.id = 7;
   sample.choice._d = 1;

@@ -28,7 +28,9 @@ using std::chrono::seconds;
 std::vector<const dds_topic_descriptor_t*> all_types() {
   std::vector<const dds_topic_descriptor_t*> out = ros_types();
   for (const std::string& name : bus::known_type_names()) out.push_back(bus::find_known_type(name));
-  out.push_back(&wire_Everything_desc);
+  for (const auto* type : {&wire_Everything_desc, &wire_KeyedByParts_desc, &wire_Derived_desc}) {
+    out.push_back(type);
+  }
   return out;
 }
 
