@@ -8,8 +8,8 @@
 
 namespace scarab::mcap {
 
-constexpr std::array<std::pair<std::string_view, Compression>, 2> enum_names(Compression) {
-  return {{{"none", Compression::kNone}, {"zstd", Compression::kZstd}}};
+constexpr std::array<std::pair<std::string_view, Compression>, 3> enum_names(Compression) {
+  return {{{"none", Compression::kNone}, {"lz4", Compression::kLz4}, {"zstd", Compression::kZstd}}};
 }
 
 }  // namespace scarab::mcap

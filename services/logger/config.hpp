@@ -20,10 +20,10 @@ struct LoggerConfig {
   std::uint64_t chunk_size_kib = 1024;  ///< a chunk is closed beyond this, before compression
   double chunk_time_s = 0.5;            ///< a chunk is closed when its first message is this old
   mcap::Compression compression = mcap::Compression::kZstd;
-  int compression_level = 1;  ///< zstd: 1 fastest .. 19 smallest
+  int compression_level = 1;  ///< 1 fastest .. 19 (lz4: 12) smallest
   std::uint64_t queue_mib =
       64;  ///< samples between the bus and the file; beyond it lockstep waits, real time drops
-  double take_interval_s = 0.001;  ///< samples are taken at most this often, several at once
+  double take_interval_s = 0.004;  ///< samples are taken at most this often, several at once
   bool sync_on_close = false;      ///< at the end, wait until the disk has the file
 };
 
