@@ -7,6 +7,7 @@ namespace scarab::bus {
 
 CdrCursor::CdrCursor(ByteView cdr) {
   const Encapsulation encapsulation = encapsulation_of(cdr);
+  if (encapsulation.is_list) throw Error("representation is a parameter list");
   payload_ = {cdr.data + Encapsulation::kSize, cdr.size - Encapsulation::kSize};
   end_ = payload_.size;
   swapped_ = encapsulation.swapped;

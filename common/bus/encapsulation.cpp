@@ -15,7 +15,9 @@ Encapsulation encapsulation_of(ByteView cdr) {
     case 0x0007:
     case 0x0008:  // DELIMIT_CDR2: appendable types
     case 0x0009:
-      return {id >= 0x0006, (id & 1U) == 0};
+    case 0x000A:  // PL_CDR2: mutable types
+    case 0x000B:
+      return {id >= 0x0006, (id & 1U) == 0, id >= 0x000A};
     default:
       throw Error("representation " + std::to_string(id) + " is not plain CDR");
   }

@@ -13,10 +13,11 @@ struct Encapsulation {
 
   bool xcdr2 = false;    ///< else XCDR1
   bool swapped = false;  ///< the other byte order than this machine's
+  bool is_list = false;  ///< a parameter list of XCDR2: a mutable type
 };
 
-/// Throws Error for less than four bytes, and for parameter lists (mutable types) and what is no
-/// CDR.
+/// Throws Error for less than four bytes, and for what is no CDR, or is a parameter list of XCDR1,
+/// which Cyclone does not write.
 Encapsulation encapsulation_of(ByteView cdr);
 
 }  // namespace scarab::bus

@@ -48,8 +48,15 @@ std::byte encapsulation_id(const dds_topic_descriptor_t& type, bool xcdr2) {
   if (!xcdr2) return std::byte{1};  // CDR
   ddsi_sertype_extensibility extensibility = DDSI_SERTYPE_EXT_FINAL;
   dds_stream_extensibility(type.m_ops, &extensibility);
-  return std::byte{extensibility == DDSI_SERTYPE_EXT_APPENDABLE ? std::uint8_t{9}    // DELIMIT_CDR2
-                                                                : std::uint8_t{7}};  // PLAIN_CDR2
+  switch (extensibility) {
+    case DDSI_SERTYPE_EXT_FINAL:
+      return std::byte{7};  // PLAIN_CDR2
+    case DDSI_SERTYPE_EXT_APPENDABLE:
+      return std::byte{9};  // DELIMIT_CDR2
+    case DDSI_SERTYPE_EXT_MUTABLE:
+      return std::byte{11};  // PL_CDR2
+  }
+  throw no_sample(type, "a type of unknown extensibility");
 }
 
 void decode_payload(const dds_topic_descriptor_t& type, ByteView payload, bool swap,
