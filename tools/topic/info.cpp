@@ -5,6 +5,7 @@
 #include "common/runtime/program.hpp"
 #include "tools/topic/command_options.hpp"
 #include "tools/topic/commands.hpp"
+#include "tools/topic/quantity.hpp"
 #include "tools/topic/session.hpp"
 #include "tools/topic/text_table.hpp"
 #include "tools/topic/topic_report.hpp"
@@ -45,8 +46,8 @@ void add_endpoints(const DomainView& view, const TopicReport& report, const char
 
 std::string text_of(const DomainView& view, const TopicReport& report) {
   std::string out = "topic  " + report.topic + "\ntype   " + report.type() + "\n";
-  out += std::to_string(report.writers.size()) + " writers, " +
-         std::to_string(report.readers.size()) + " readers\n\n";
+  out += counted(report.writers.size(), "writer") + ", " +
+         counted(report.readers.size(), "reader") + "\n\n";
   add_endpoints(view, report, "writer", report.writers, out);
   add_endpoints(view, report, "reader", report.readers, out);
   out += "\n";

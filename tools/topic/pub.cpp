@@ -8,6 +8,7 @@
 #include "tools/topic/failure.hpp"
 #include "tools/topic/line_input.hpp"
 #include "tools/topic/publication.hpp"
+#include "tools/topic/quantity.hpp"
 
 namespace scarab::topic {
 namespace {
@@ -77,15 +78,11 @@ class Pace {
   bool first_ = true;
 };
 
-void report(Session& session, const Publication& publication, std::uint64_t sent) {
-  std::string readers;
-  for (const bus::Peer& peer : publication.readers()) {
-    readers += (readers.empty() ? ": " : ", ") + to_string(peer);
-  }
-  const std::size_t count = publication.readers().size();
-  session.output().write("published " + std::to_string(sent) +
-                         (sent == 1 ? " sample" : " samples") + " to " + std::to_string(count) +
-                         (count == 1 ? " reader" : " readers") + readers + "\n");
+void report(Session& session, const std::vector<bus::Peer>& readers, std::uint64_t sent) {
+  std::string names;
+  for (const bus::Peer& peer : readers) names += (names.empty() ? ": " : ", ") + to_string(peer);
+  session.output().write("published " + counted(sent, "sample") + " to " +
+                         counted(readers.size(), "reader") + names + "\n");
   session.output().flush();
 }
 
@@ -136,7 +133,7 @@ int pub(const runtime::BusOptions& bus_options, const PubOptions& options) {
                                         : send_values(session, publication, options);
   if (session.interrupted() && (options.count || !options.rate_hz)) throw Interrupted{};
   publication.finish();
-  report(session, publication, sent);
+  report(session, publication.readers(), sent);
   return runtime::kExitSuccess;
 }
 

@@ -29,4 +29,8 @@ std::string bytes_text(double bytes) {
   return (unit == 0 ? fixed(bytes, 0) : rounded(bytes)) + " " + kUnits[unit];
 }
 
+std::string counted(std::uint64_t count, const std::string& what) {
+  return std::to_string(count) + " " + what + (count == 1 ? "" : "s");
+}
+
 }  // namespace scarab::topic

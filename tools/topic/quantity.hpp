@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstdint>
 #include <string>
 
 /// Numbers with units, as people read them.
@@ -13,5 +14,8 @@ std::string rounded(double value);
 std::string seconds_text(double seconds);
 /// `870 B`, `1.23 kB`, `12.3 MB`: powers of 1000.
 std::string bytes_text(double bytes);
+
+/// `1 sample`, `2 samples`.
+std::string counted(std::uint64_t count, const std::string& what);
 
 }  // namespace scarab::topic

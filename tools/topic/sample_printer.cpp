@@ -75,12 +75,7 @@ void SamplePrinter::append_fields(bus::ByteView cdr, std::string& out) const {
   const bus::SampleNode sample = bus::sample_tree(model_, cdr);
   const bool json = options_.format == Format::kJson;
   if (fields_.size() == 1) {
-    const bus::SampleNode* part = fields_[0].find(sample);
-    if (!json && part != nullptr && std::holds_alternative<bus::Scalar>(part->value)) {
-      bus::append_plain(out, std::get<bus::Scalar>(part->value));
-    } else {
-      bus::append_field(out, fields_[0], sample);
-    }
+    append_field(fields_[0], sample, true, out);
     out += '\n';
     return;
   }
@@ -89,10 +84,22 @@ void SamplePrinter::append_fields(bus::ByteView cdr, std::string& out) const {
   for (const bus::FieldPath& field : fields_) {
     out += separator;
     out += (json ? config::in_json_quotes(field.text()) : field.text()) + ": ";
-    bus::append_field(out, field, sample);
+    append_field(field, sample, false, out);
     separator = json ? ", " : "\n";
   }
   out += json ? "}\n" : "\n---\n";
+}
+
+void SamplePrinter::append_field(const bus::FieldPath& field, const bus::SampleNode& sample,
+                                 bool alone, std::string& out) const {
+  const bus::SampleNode* part = field.is_length() ? nullptr : field.find(sample);
+  const bus::Scalar* scalar = part == nullptr ? nullptr : std::get_if<bus::Scalar>(&part->value);
+  const bool is_name = scalar != nullptr && std::holds_alternative<bus::EnumValue>(*scalar);
+  if (options_.format == Format::kYaml && scalar != nullptr && (alone || is_name)) {
+    bus::append_plain(out, *scalar);
+  } else {
+    bus::append_field(out, field, sample);  // JSON is YAML's flow style
+  }
 }
 
 void SamplePrinter::append_row(bus::ByteView cdr, std::string& out) const {

@@ -35,6 +35,9 @@ class SamplePrinter {
 
  private:
   void append_fields(bus::ByteView cdr, std::string& out) const;
+  /// `alone`: on a line without its name; YAML then has text as it is, without quotes.
+  void append_field(const bus::FieldPath& field, const bus::SampleNode& sample, bool alone,
+                    std::string& out) const;
   void append_row(bus::ByteView cdr, std::string& out) const;
 
   bus::TypeModel model_;

@@ -68,7 +68,7 @@ DomainView Session::view() const {
 
 DomainView Session::settle(std::chrono::milliseconds limit, std::chrono::milliseconds quiet) {
   const auto end = after(limit);
-  auto quiet_end = end;
+  auto quiet_end = view().endpoints.empty() ? end : after(quiet);
   while (!interrupted()) {
     const std::uint64_t before = arrivals_;
     const bool more = wait(std::min(end, quiet_end));

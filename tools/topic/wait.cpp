@@ -39,7 +39,7 @@ class Progress {
     return samples_ >= options_.count.value_or(1) && (!rate_ || rate_->reached());
   }
   std::string text() const {
-    std::string out = std::to_string(samples_) + (samples_ == 1 ? " sample" : " samples");
+    std::string out = counted(samples_, "sample");
     if (!options_.filter.empty()) out += " that match the filter";
     if (rate_) out += ", " + rounded(rate_->rate_hz()) + " Hz of " + rounded(*options_.hz);
     return out;
