@@ -44,6 +44,7 @@ Cast::Cast(const Log& log, const std::set<std::string>& topics, const ServiceUnd
   const bus::Peer leader = leading_part(parts);
   session_ = std::make_unique<Session>(bus.participant(leader.service, leader.instance));
   if (!force) refuse_company(session_->participant(), topics);
+  discovery_ = std::make_unique<bus::Discovery>(session_->participant());
   readers_.push_back(read_answers(session_->participant(), service.answer));
   session_->wait_set().attach(readers_.front()->endpoint());
   if (!service.activity.empty()) {
@@ -88,7 +89,6 @@ void Cast::add_writer(const LogChannel& channel) {
     return;
   }
   of_channel_[&channel] = writers_.back().get();
-  if (channel.topic == service_.question) questions_ = writers_.back().get();
 }
 
 TopicWriter* Cast::writer(const LogChannel& channel) {
@@ -96,11 +96,20 @@ TopicWriter* Cast::writer(const LogChannel& channel) {
   return found == of_channel_.end() ? nullptr : found->second;
 }
 
-std::vector<std::string> Cast::unmatched() const {
+/// The service's readers of other topics than the question are known from their announcement alone.
+std::vector<std::string> Cast::unmatched() {
+  discovery_->update();
+  std::set<std::string> read = {service_.question};
+  for (const bus::DiscoveredEndpoint& endpoint : discovery_->endpoints()) {
+    const bool reads = endpoint.kind == bus::EndpointKind::kReader;
+    if (reads && endpoint.peer == service_.peer) read.insert(endpoint.topic);
+  }
   std::vector<std::string> missing;
   const std::string name = bus::to_string(service_.peer);
-  if (questions_ != nullptr && !has(questions_->matched(), service_.peer)) {
-    missing.push_back(name + " to read " + service_.question);
+  for (const auto& writer : writers_) {
+    if (read.count(writer->topic()) != 0 && !has(writer->matched(), service_.peer)) {
+      missing.push_back(name + " to read " + writer->topic());
+    }
   }
   if (!has(readers_.front()->endpoint().matched(), service_.peer)) {
     missing.push_back(name + " to write " + service_.answer);

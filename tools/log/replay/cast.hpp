@@ -4,6 +4,7 @@
 #include <memory>
 #include <vector>
 
+#include "common/bus/discovery.hpp"
 #include "tools/log/replay/answer_reader.hpp"
 #include "tools/log/replay/service_under_test.hpp"
 #include "tools/log/replay/session.hpp"
@@ -34,9 +35,9 @@ class Cast {
   /// Topics that cannot be published, and why.
   const std::vector<std::string>& left_out() const { return left_out_; }
 
-  /// What the service's endpoints have not matched yet, as `supervisor/0 to read
-  /// scarab/robot_state`.
-  std::vector<std::string> unmatched() const;
+  /// What is not matched yet of what the service writes, has to read, and reads beside, as
+  /// `supervisor/0 to read scarab/robot_state`.
+  std::vector<std::string> unmatched();
   /// Waits until the service has all that was written; false after `limit`.
   bool flush(std::chrono::nanoseconds limit);
 
@@ -47,12 +48,12 @@ class Cast {
   ServiceUnderTest service_;
   runtime::BusOptions bus_;
   std::unique_ptr<Session> session_;
+  std::unique_ptr<bus::Discovery> discovery_;
   std::map<bus::Peer, std::unique_ptr<bus::Participant>> others_;
   std::vector<std::unique_ptr<AnswerReader>> readers_;  // the session's answers first
   AnswerReader* activity_ = nullptr;
   std::vector<std::unique_ptr<TopicWriter>> writers_;
   std::map<const LogChannel*, TopicWriter*> of_channel_;
-  TopicWriter* questions_ = nullptr;
   std::vector<std::string> left_out_;
 };
 

@@ -8,6 +8,7 @@ namespace scarab::log {
 namespace {
 
 constexpr const char* kTrial = "scarab/trial";
+constexpr const char* kOperator = "scarab/operator";
 
 /// All of the log but what services say of themselves.
 ReplayOptions of_the_robot(const Log& log, ReplayOptions options) {
@@ -37,6 +38,7 @@ Interviewer::Interviewer(const Log& log, const ReplayOptions& replay,
       out_(out),
       service_(service_under_test(options.service, options.instance)),
       excerpt_(log, of_the_robot(log, replay)),
+      words_(log, service_.peer),
       cast_(log, topics_for(excerpt_, service_), service_, options.expect, replay.bus,
             replay.force),
       board_(cast_.session().participant()),
@@ -79,6 +81,8 @@ void Interviewer::visit(TimedMessage& message) {
     ask(message, header);
   } else if (service_.writes(topic)) {
     add_recorded(message, header);
+  } else if (topic == kOperator && words_.knows(header.stamp_ns)) {
+    return;  // it comes before the tick from which on it counted
   } else if (header.trial == 0 || is_of_trial(header)) {
     publish(message);
   }
@@ -116,6 +120,7 @@ void Interviewer::ask(TimedMessage& message, const logger::SampleHeader& header)
   if (tick == 0) pace_.start(message.time_ns, Session::Clock::now());
   await_due(message.time_ns);
   trial_->tick = tick;
+  say_words(header.tick);
   publish(message);
   ++asked_;
   line_.say("trial " + std::to_string(header.trial) + ", tick " + std::to_string(tick));
@@ -133,17 +138,24 @@ void Interviewer::add_recorded(const TimedMessage& message, const logger::Sample
 }
 
 /// As if it came from the robot now, in the trial as the service knows it.
-void Interviewer::publish(TimedMessage& message) {
-  TopicWriter* writer = cast_.writer(*message.channel);
+void Interviewer::publish(const LogChannel& channel, mcap::Bytes& cdr) {
+  TopicWriter* writer = cast_.writer(channel);
   if (writer == nullptr) return;
-  if (message.channel->has_header) {
-    const auto header = logger::read_sample_header(message.cdr.data(), message.cdr.size());
-    if (trial_ && header->trial == trial_->recorded) set_trial(message.cdr, trial_->told);
-    set_stamp(message.cdr, bus::now_ns());
+  if (channel.has_header) {
+    const auto header = logger::read_sample_header(cdr.data(), cdr.size());
+    if (trial_ && header->trial == trial_->recorded) set_trial(cdr, trial_->told);
+    set_stamp(cdr, bus::now_ns());
   }
-  writer->write(message.cdr);
-  // An operator's word counts from the next tick on: it is to be there before that is.
-  if (message.channel->topic == "scarab/operator") writer->flush(patience_);
+  writer->write(cdr);
+}
+
+/// What a person said, so that it counts from this tick on: it is there before the tick is asked.
+void Interviewer::say_words(std::uint32_t tick) {
+  for (const OperatorWords::Word& word : words_.counting_from(trial_->recorded, tick)) {
+    mcap::Bytes cdr = word.cdr;
+    publish(*word.channel, cdr);
+    if (TopicWriter* writer = cast_.writer(*word.channel)) writer->flush(patience_);
+  }
 }
 
 /// The service's answers depend on all questions before: none of the trial can be compared any

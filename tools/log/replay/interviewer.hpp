@@ -11,6 +11,7 @@
 #include "tools/log/replay/answer_book.hpp"
 #include "tools/log/replay/cast.hpp"
 #include "tools/log/replay/excerpt.hpp"
+#include "tools/log/replay/operator_words.hpp"
 #include "tools/log/replay/options.hpp"
 #include "tools/log/replay/pace.hpp"
 
@@ -47,7 +48,9 @@ class Interviewer {
   void tell_trial(TimedMessage& message, const logger::SampleHeader& header);
   void ask(TimedMessage& message, const logger::SampleHeader& header);
   void add_recorded(const TimedMessage& message, const logger::SampleHeader& header);
-  void publish(TimedMessage& message);
+  void publish(TimedMessage& message) { publish(*message.channel, message.cdr); }
+  void publish(const LogChannel& channel, mcap::Bytes& cdr);
+  void say_words(std::uint32_t tick);
   void end_trial();
 
   const runtime::ServiceReport* service_report() const;
@@ -70,6 +73,7 @@ class Interviewer {
   std::ostream& out_;
   ServiceUnderTest service_;
   Excerpt excerpt_;
+  OperatorWords words_;
   Cast cast_;
   runtime::StatusBoard board_;
   ProgressLine line_;
