@@ -45,9 +45,7 @@ dds::DomainParticipantQos participant_qos(const std::string& address, const Peer
   qos.transport().user_transports.push_back(udp);
   auto& discovery = qos.wire_protocol().builtin.discovery_config;
   discovery.leaseDuration = Duration_t(12, 0);
-  // Fast DDS does not answer the announcement of a newcomer: that one hears of us at the next of
-  // ours.
-  discovery.leaseDuration_announcementperiod = Duration_t(0.2);
+  discovery.leaseDuration_announcementperiod = Duration_t(1, 0);
   return qos;
 }
 
