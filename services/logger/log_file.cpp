@@ -2,6 +2,9 @@
 
 #include <unistd.h>
 
+#include <algorithm>
+
+#include "common/bus/clock.hpp"
 #include "services/logger/attachments.hpp"
 #include "services/logger/host_facts.hpp"
 #include "services/logger/utc_time.hpp"
@@ -23,6 +26,17 @@ mcap::WriterOptions writer_options(const LoggerConfig& config) {
   options.library = std::string("scarab ") + SCARAB_VERSION;
   options.sync_on_close = config.sync_on_close;
   return options;
+}
+
+/// What this recorder runs with, unless the run's configuration has it already.
+void add_own_configuration(const LoggerConfig& config, std::vector<mcap::Attachment>& attachments) {
+  const std::string name = "config/logger.yaml";
+  const bool known = std::any_of(attachments.begin(), attachments.end(),
+                                 [&](const auto& given) { return given.name == name; });
+  if (known) return;
+  const std::string text = dump_config(config);
+  const auto now = static_cast<std::uint64_t>(bus::now_ns());
+  attachments.push_back({now, 0, name, "application/yaml", mcap::Bytes(text.begin(), text.end())});
 }
 
 }  // namespace
@@ -51,7 +65,8 @@ LogFiles::LogFiles(const LoggerOptions& options, const LoggerConfig& config)
       recording_(utc_now() + "-" + host_name() + "-" + std::to_string(::getpid())) {}
 
 std::unique_ptr<mcap::Writer> LogFiles::open(const Part& part) const {
-  const auto attachments = load_attachments(options_.attach, options_.service.run_dir);
+  auto attachments = load_attachments(options_.attach, options_.service.run_dir);
+  add_own_configuration(config_, attachments);
   const auto name = free_name(part_name(options_.output, config_.split, part.trial));
   auto writer = std::make_unique<mcap::Writer>(name, writer_options(config_));
   for (const mcap::Attachment& attachment : attachments) {

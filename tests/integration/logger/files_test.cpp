@@ -117,7 +117,7 @@ TEST_F(Files, ARunGoesOnInTheNextBeyondItsSize) {
 /// A recorder that cannot compress as fast as samples come, with little room for those that wait.
 class Slow : public Files {
  protected:
-  static constexpr std::uint32_t kReadings = 60'000;
+  static constexpr std::uint32_t kReadings = 20'000;
 
   /// A flood in a trial that runs in lockstep or in real time; then the log's end.
   void flood(bool real_time) {

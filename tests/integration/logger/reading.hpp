@@ -10,11 +10,11 @@
 
 namespace scarab::logger::test {
 
-/// The noise of the reading of that number.
+/// The noise of the reading of that number: five random bits a byte, which takes a compressor long.
 inline std::array<std::uint8_t, sizeof(meadow_Reading::noise)> noise_of(std::uint32_t number) {
   std::array<std::uint8_t, sizeof(meadow_Reading::noise)> noise{};
   std::minstd_rand generator(number + 1);
-  for (std::uint8_t& byte : noise) byte = static_cast<std::uint8_t>(generator() >> 8U);
+  for (std::uint8_t& byte : noise) byte = static_cast<std::uint8_t>((generator() >> 8U) & 31U);
   return noise;
 }
 

@@ -147,6 +147,8 @@ TEST_F(Record, AttachesTheNamedFilesAndTheRunsConfiguration) {
     const mcap::Attachment attachment = reader.attachment(index);
     attached[attachment.name] = std::string(attachment.data.begin(), attachment.data.end());
   }
+  EXPECT_THAT(attached["config/logger.yaml"], HasSubstr("chunk_time_s: 0.5"));
+  attached.erase("config/logger.yaml");
   EXPECT_EQ(attached, (std::map<std::string, std::string>{{"config/plant.yaml", "step_s: 1\n"},
                                                           {"note.txt", "hello"}}));
   const auto metadata = read_metadata(reader);

@@ -181,5 +181,10 @@ TEST(Config, DumpsWhatItReadsBack) {
   EXPECT_EQ(dump_config(read), dump_config(config));
 }
 
+TEST(Config, TheShippedFileSaysTheDefaults) {
+  EXPECT_EQ(dump_config(load_config(SCARAB_SOURCE_DIR "/config/logger/default.yaml")),
+            dump_config(LoggerConfig{}));
+}
+
 }  // namespace
 }  // namespace scarab::logger
