@@ -35,7 +35,7 @@ class FastDdsPremotor : public FastDdsTest {
 
   static void expect_equal(const std::filesystem::path& a, const std::filesystem::path& b) {
     EXPECT_THAT(read_trial(a).ticks, testing::SizeIs(testing::Ge(150U)));
-    const auto result = compare(a, b);
+    const Finished result = run({program("scarab-log"), "diff", a, b});
     EXPECT_EQ(result.exit_code, 0) << result.out << result.err;
     for (const char* topic : {"joint_command", "robot_state", "neural_activity"}) {
       EXPECT_THAT(result.out, HasSubstr(std::string("scarab/") + topic + ": "));
