@@ -12,9 +12,6 @@
 namespace scarab::test {
 namespace {
 
-constexpr std::uint32_t kFirst = 150;
-constexpr std::uint32_t kLast = 169;
-
 bool bind_name(int socket, const std::string& name) {
   sockaddr_un address{};
   address.sun_family = AF_UNIX;

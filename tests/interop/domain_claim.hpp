@@ -11,6 +11,9 @@ namespace scarab::test {
 /// latest.
 class DomainClaim {
  public:
+  static constexpr std::uint32_t kFirst = 150;
+  static constexpr std::uint32_t kLast = 169;
+
   /// The lowest that is free. Throws std::runtime_error if there is none.
   DomainClaim();
   DomainClaim(const DomainClaim&) = delete;
