@@ -92,9 +92,11 @@ std::uint64_t print_messages(const Log& log, const Selection& selection, const C
   Printer printer(selection, options.json, out);
   log.for_each(
       [&](const LogChannel& channel, const mcap::Message& message) {
-        if (!selection.takes(channel, message)) return true;
-        printer.print(channel, message);
-        ++printed;
+        read_message(channel, message, [&] {
+          if (!selection.takes(channel, message)) return;
+          printer.print(channel, message);
+          ++printed;
+        });
         return out.good() && printed != options.most;
       },
       selection.topics());

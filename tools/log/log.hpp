@@ -10,6 +10,7 @@
 #include <string>
 #include <vector>
 
+#include "common/bus/error.hpp"
 #include "common/bus/raw_cdr.hpp"
 #include "common/bus/type_model.hpp"
 #include "common/mcap/reader.hpp"
@@ -66,6 +67,17 @@ class Log {
 /// A message's bytes as the bus takes them.
 inline bus::ByteView cdr_of(const mcap::Message& message) {
   return {reinterpret_cast<const std::byte*>(message.data.data()), message.data.size()};
+}
+
+/// Calls f, which reads a message; a bus::Error it throws names topic and message then.
+template <class F>
+void read_message(const LogChannel& channel, const mcap::Message& message, F&& f) {
+  try {
+    f();
+  } catch (const bus::Error& error) {
+    throw bus::Error(channel.topic + ", message " + std::to_string(message.sequence) + ": " +
+                     error.what());
+  }
 }
 
 /// Throws std::invalid_argument, naming the topics there are, for one that the log does not have.

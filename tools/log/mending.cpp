@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cerrno>
+#include <csignal>
 
 #include "common/mcap/reader.hpp"
 #include "tools/log/words.hpp"
@@ -27,6 +28,8 @@ bool is_whole(const std::filesystem::path& path, const mcap::Progress& progress)
 bool is_being_written(const std::filesystem::path& path) {
   const int file = ::open(path.c_str(), O_RDONLY | O_CLOEXEC);
   if (file < 0) return false;
+  // Whoever opens it meanwhile for writing breaks the lease with a signal: one that nobody minds.
+  ::fcntl(file, F_SETSIG, SIGURG);
   const bool refused = ::fcntl(file, F_SETLEASE, F_RDLCK) != 0 && errno == EAGAIN;
   ::close(file);
   return refused;

@@ -68,7 +68,9 @@ void for_each_taken(const Log& log, const Selection& selection, const TableOptio
                     const std::ostream& out, F&& f) {
   log.for_each(
       [&](const LogChannel& channel, const mcap::Message& message) {
-        if (selection.takes(channel, message)) f(message);
+        read_message(channel, message, [&] {
+          if (selection.takes(channel, message)) f(message);
+        });
         return out.good();
       },
       {options.topic});

@@ -48,9 +48,8 @@ class Publish : public ReplayTest {
   static constexpr std::uint64_t kPeriod = 100'000'000;  // ns
 };
 
-/// When samples came, and what was in them.
+/// A sample, and when it was published.
 struct Seen {
-  std::chrono::steady_clock::time_point at;
   scarab_Behaviour sample;
   std::int64_t source_ns = 0;
 };
@@ -67,9 +66,8 @@ TEST_F(Publish, EverySampleComesAsRecordedAndNotBeforeItsTime) {
   const auto end = std::chrono::steady_clock::now() + kPatience;
   while (seen.size() < kCount && std::chrono::steady_clock::now() < end) {
     wait_set.wait(std::chrono::milliseconds(100));
-    const auto now = std::chrono::steady_clock::now();
     reader.take_with_info([&](const scarab_Behaviour& sample, const bus::SampleInfo& info) {
-      if (info.valid) seen.push_back({now, sample, info.source_ns});
+      if (info.valid) seen.push_back({sample, info.source_ns});
     });
   }
   EXPECT_EQ(child.wait(kPatience), 0) << child.err();
@@ -81,11 +79,13 @@ TEST_F(Publish, EverySampleComesAsRecordedAndNotBeforeItsTime) {
     EXPECT_EQ(seen[i].sample.backbone_rad, i);
     EXPECT_EQ(bus::text(seen[i].sample.reason), "walks, \"slowly\"");
     EXPECT_GT(seen[i].source_ns, static_cast<std::int64_t>(kBegin + kPeriod * kCount));
-    // The first may have been late to be seen, by which the others seem early.
-    const auto due = std::chrono::milliseconds(50) * i;
-    EXPECT_GE(seen[i].at - seen[0].at, due - std::chrono::milliseconds(40)) << i;
+    // The first may have been late by as much as the machine is slow, by which the others seem
+    // early.
+    const std::int64_t due_ns = static_cast<std::int64_t>(kPeriod / 2) * i;
+    EXPECT_GE(seen[i].source_ns - seen[0].source_ns, due_ns - 300'000'000) << i;
   }
-  EXPECT_LT(seen.back().at - seen.front().at, std::chrono::seconds(5));
+  EXPECT_GT(seen.back().source_ns - seen.front().source_ns, 600'000'000);
+  EXPECT_LT(seen.back().source_ns - seen.front().source_ns, 5'000'000'000);
 }
 
 TEST_F(Publish, TimesCanBeKeptOrMadeNew) {
@@ -99,7 +99,7 @@ TEST_F(Publish, TimesCanBeKeptOrMadeNew) {
     std::vector<Seen> seen;
     EXPECT_TRUE(eventually([&] {
       reader.take_with_info([&](const scarab_Behaviour& sample, const bus::SampleInfo& info) {
-        if (info.valid) seen.push_back({{}, sample, info.source_ns});
+        if (info.valid) seen.push_back({sample, info.source_ns});
       });
       return seen.size() == 3;
     }));
@@ -124,8 +124,11 @@ TEST_F(Publish, FastNothingIsLost) {
   bus::Reader<scarab_Behaviour> reader(participant, bus::kBehaviour, keep_all);
   auto child = start_replay(log, {"--speed", "max", "--wait", "1"});
   EXPECT_EQ(child.wait(std::chrono::seconds(60)), 0) << child.err();
-  std::uint32_t next = 0;  // all has arrived when the replay has ended
-  reader.take([&](const scarab_Behaviour& sample) { EXPECT_EQ(sample.header.tick, next++); });
+  std::uint32_t next = 0;
+  eventually([&] {
+    reader.take([&](const scarab_Behaviour& sample) { EXPECT_EQ(sample.header.tick, next++); });
+    return next >= kCount;
+  });
   EXPECT_EQ(next, kCount);
 }
 
@@ -194,11 +197,14 @@ TEST_F(Publish, AForeignTopicOutOfTheLogOfAKilledRecorder) {
       replay(directory_ / "trial.mcap", {"--topic", "pond/newts", "--wait", "1", "--speed", "max"});
   EXPECT_EQ(done.exit_code, 0) << done.err;
   std::int32_t next = 0;
-  reader.take([&](const pond_Newt& sample) {
-    std::vector<float> meals;
-    const pond_Newt wanted = newt(next, meals);
-    EXPECT_EQ(bus::encode(sample), bus::encode(wanted)) << next;
-    ++next;
+  eventually([&] {
+    reader.take([&](const pond_Newt& sample) {
+      std::vector<float> meals;
+      const pond_Newt wanted = newt(next, meals);
+      EXPECT_EQ(bus::encode(sample), bus::encode(wanted)) << next;
+      ++next;
+    });
+    return next >= kCount;
   });
   EXPECT_EQ(next, kCount);
 }

@@ -101,6 +101,25 @@ TEST_F(Cat, SaysWhyNoTopicFits) {
   }
 }
 
+TEST(BrokenSample, IsNamed) {
+  const TemporaryFolder folder;
+  {
+    LogWriter log(folder / "x.mcap");
+    const auto meadow = log.add_channel("meadow", "meadow::Patch", "omgidl", kMeadowIdl);
+    log.write(meadow, 7, patch(2.5, {7}));
+    log.write(meadow, 8, std::string_view("\0\1\0\0too short", 13));
+    log.close();
+  }
+  const Log log(folder / "x.mcap");
+  std::ostringstream out;
+  try {
+    print_messages(log, Selection(log, {}), {true, {}}, out);
+    FAIL() << "no error";
+  } catch (const bus::Error& error) {
+    EXPECT_THAT(error.what(), testing::StartsWith("meadow, message 1: meadow::Patch: "));
+  }
+}
+
 /// The writer without a tree says what the bus says.
 TEST(SampleJson, IsTheJsonOfTheBus) {
   scarab_WorldState world{};

@@ -10,6 +10,14 @@ namespace {
 constexpr const char* kTrial = "scarab/trial";
 constexpr const char* kOperator = "scarab/operator";
 
+/// Throws std::invalid_argument where the log lacks what it takes to ask the service.
+ServiceUnderTest checked(const Log& log, const ServiceUnderTest& service) {
+  for (const std::string& topic : {std::string(kTrial), service.question, service.answer}) {
+    require_topic(log, topic);
+  }
+  return service;
+}
+
 /// All of the log but what services say of themselves.
 ReplayOptions of_the_robot(const Log& log, ReplayOptions options) {
   if (log.find("scarab/service_status") != nullptr) options.except.insert("scarab/service_status");
@@ -36,7 +44,7 @@ Interviewer::Interviewer(const Log& log, const ReplayOptions& replay,
     : patience_(std::chrono::duration_cast<std::chrono::nanoseconds>(replay.patience)),
       speed_(replay.speed),
       out_(out),
-      service_(service_under_test(options.service, options.instance)),
+      service_(checked(log, service_under_test(options.service, options.instance))),
       excerpt_(log, of_the_robot(log, replay)),
       words_(log, service_.peer),
       cast_(log, topics_for(excerpt_, service_), service_, options.expect, replay.bus,
@@ -45,9 +53,6 @@ Interviewer::Interviewer(const Log& log, const ReplayOptions& replay,
       line_("asking " + bus::to_string(service_.peer)),
       pace_(replay.speed),
       answers_(book(log, cast_.answers(), service_.answer, options.lenience)) {
-  for (const std::string& topic : {std::string(kTrial), service_.question, service_.answer}) {
-    require_topic(log, topic);
-  }
   if (cast_.activity() != nullptr && log.find(service_.activity) != nullptr) {
     activity_ = book(log, *cast_.activity(), service_.activity, options.lenience);
   }
