@@ -152,7 +152,8 @@ void decode_xcdr2(const dds_topic_descriptor_t& type, ByteView payload, void* sa
   }
 }
 
-std::size_t take_raw(dds_entity_t reader, const std::function<void(const RawSample&)>& f) {
+std::size_t take_raw(dds_entity_t reader, const std::function<void(const RawSample&)>& f,
+                     std::size_t enough) {
   std::size_t count = 0;
   while (true) {
     const TakenSamples taken(reader);
@@ -164,7 +165,7 @@ std::size_t take_raw(dds_entity_t reader, const std::function<void(const RawSamp
       f({lent.bytes(), info.source_timestamp, now, info.publication_handle});
       ++count;
     }
-    if (taken.size() < TakenSamples::kMost) return count;
+    if (taken.size() < TakenSamples::kMost || count >= enough) return count;
   }
 }
 

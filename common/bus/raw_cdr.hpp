@@ -5,6 +5,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <functional>
+#include <limits>
 #include <vector>
 
 /// Samples as bytes: CDR with its encapsulation header, as they are on the wire. The one place that
@@ -48,6 +49,8 @@ void decode_xcdr2(const dds_topic_descriptor_t& type, ByteView payload, void* sa
 
 /// Takes all waiting samples of a reader in the order of reception and hands each with content to
 /// f; returns how many.
-std::size_t take_raw(dds_entity_t reader, const std::function<void(const RawSample&)>& f);
+/// Where they come faster than f takes them: no further than `enough` and what was taken with them.
+std::size_t take_raw(dds_entity_t reader, const std::function<void(const RawSample&)>& f,
+                     std::size_t enough = std::numeric_limits<std::size_t>::max());
 
 }  // namespace scarab::bus

@@ -25,7 +25,11 @@ class RawReader : public ReaderEndpoint {
             const TopicType& type, const RawReaderOptions& options = {});
 
   /// Calls f for each waiting sample, in the order of reception; returns how many.
-  std::size_t take(const std::function<void(const RawSample&)>& f) { return take_raw(handle(), f); }
+  /// `enough` as in take_raw.
+  std::size_t take(const std::function<void(const RawSample&)>& f,
+                   std::size_t enough = std::numeric_limits<std::size_t>::max()) {
+    return take_raw(handle(), f, enough);
+  }
 };
 
 }  // namespace scarab::bus

@@ -93,15 +93,18 @@ void Follower::follow(const DiscoveredEndpoint& writer) {
 }
 
 std::size_t Follower::take(Clock::time_point end, const SampleHandler& f) {
+  // However fast they come: Ctrl-C, the clock and new writers get their turn.
+  constexpr std::size_t kEnough = 1024;
   session_.wait(end);
   follow_new_writers();
   std::size_t count = 0;
   for (std::size_t i = 0; i < readers_.size(); ++i) {
-    readers_[i]->take([&](const bus::RawSample& sample) {
+    const auto once = [&](const bus::RawSample& sample) {
       if (reader_of_writer_.try_emplace(sample.writer, i).first->second != i) return;
       f(sample);
       ++count;
-    });
+    };
+    readers_[i]->take(once, kEnough);
   }
   return count;
 }
