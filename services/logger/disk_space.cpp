@@ -28,10 +28,12 @@ bool DiskSpace::has_room(std::uint64_t pending_bytes) {
   const auto free = free_();
   if (!free) return guard_.has_room();
   guard_.update(*free, pending_bytes);
-  obstacle_ = guard_.has_room()
-                  ? ""
-                  : "disk too full to record: " + in_mib(*free) + " are free, free_disk_mib is " +
-                        std::to_string(guard_.keep_free_bytes() >> 20U);
+  if (guard_.has_room()) {
+    obstacle_.clear();
+  } else if (obstacle_.empty()) {  // said once: the figure would change from call to call
+    obstacle_ = "disk too full to record: " + in_mib(*free) + " are free, free_disk_mib is " +
+                std::to_string(guard_.keep_free_bytes() >> 20U);
+  }
   return guard_.has_room();
 }
 

@@ -25,7 +25,7 @@ class DiskSpace {
 
   /// True while what waits to be written may be.
   bool has_room(std::uint64_t pending_bytes);
-  /// Why not, in words; empty while there is room.
+  /// Why not, in words, as of the moment it began; empty while there is room.
   const std::string& obstacle() const { return obstacle_; }
 
  private:

@@ -121,7 +121,7 @@ class Recorder {
 
   void report() {
     const RecordingState state = recording_.state();
-    status_.recorded(state);
+    status_.recorded(state, losses_.total());
     const std::string obstacle = recording_.obstacle();
     // Asking the bus costs more than all else here, and losses do not pass.
     constexpr std::chrono::milliseconds kFaultPeriod{500};

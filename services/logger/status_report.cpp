@@ -10,13 +10,15 @@ StatusReport::StatusReport(bus::Participant& participant, const bus::Peer& self)
   status_.publish_if_due();
 }
 
-void StatusReport::recorded(const RecordingState& state) {
+void StatusReport::recorded(const RecordingState& state, const Loss& loss) {
   status_.set_recorded(state.progress.trial(), state.progress.tick());
   status_.set_counter("messages", state.messages);
   status_.set_counter("bytes", state.bytes);
   status_.set_counter("channels", state.channels);
   status_.set_counter("files", state.files);
   status_.set_counter("missed_ticks", state.progress.missed_ticks());
+  status_.set_counter("dropped", loss.dropped);
+  status_.set_counter("lost", loss.lost);
 }
 
 void StatusReport::ready(std::uint32_t trial) {
@@ -41,8 +43,6 @@ void StatusReport::works(const RecordingState& state, const LossAccount& losses,
     faults.push_back(std::to_string(state.progress.missed_ticks()) +
                      " ticks of robot_state missed");
   }
-  status_.set_counter("dropped", losses.total().dropped);
-  status_.set_counter("lost", losses.total().lost);
   status_.set_counter("faults", faults.size());
   if (faults.empty()) {
     status_.set_health(scarab_HEALTH_OK);

@@ -15,7 +15,7 @@ class StatusReport {
  public:
   StatusReport(bus::Participant& participant, const bus::Peer& self);
 
-  void recorded(const RecordingState& state);
+  void recorded(const RecordingState& state, const Loss& loss);
   /// Ready for a trial, whose topics are all matched.
   void ready(std::uint32_t trial);
   std::uint32_t ready_trial() const { return ready_trial_; }
