@@ -106,9 +106,10 @@ TEST_P(DdsperfItself, TellsOfItsLoad) {
   const std::vector<bus::Bytes> samples = take(writer, type, 1);
   ASSERT_GE(samples.size(), 1U);
   const std::string json = bus::json_text(bus::TypeModel::from_descriptor(*type), samples[0]);
+  // How many threads it lists depends on their load.
   EXPECT_THAT(json, AllOf(HasSubstr("\"hostname\": \""),
                           HasSubstr("\"pid\": " + std::to_string(program.pid()) + ","),
-                          HasSubstr("\"some_above\": true"), HasSubstr("\"name\": \"pub\"")));
+                          HasSubstr("\"some_above\": "), HasSubstr("\"cpu\": [")));
 }
 
 INSTANTIATE_TEST_SUITE_P(, DdsperfItself, testing::Values(kPublished[0]),
