@@ -76,9 +76,14 @@ void Echo::follow(const RobotState& state) {
 }
 
 bool Echo::hears_everybody() const {
-  const auto heard = [this](const char* service, const std::vector<Peer>& peers) {
+  const auto heard = [this](const std::string& service, const std::vector<Peer>& peers) {
     return missing(expect_, service, peers, "").empty();
   };
+  std::vector<Peer> reporting = statuses_.matched();
+  reporting.push_back(node_.self());
+  for (const auto& [service, count] : expect_) {
+    if (!heard(service, reporting)) return false;
+  }
   return heard("plant", states_.matched()) && heard("plant", sensors_.matched()) &&
          heard("plant", worlds_.matched()) && heard("supervisor", behaviours_.matched()) &&
          heard("premotor", commands_.matched()) && heard("premotor", activities_.matched());

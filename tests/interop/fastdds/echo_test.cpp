@@ -1,5 +1,6 @@
 /// Another vendor's DDS reads every topic of a running stack; held against what the logger
 /// recorded.
+#include <algorithm>
 #include <map>
 #include <sstream>
 
@@ -15,6 +16,7 @@ namespace {
 
 using testing::Contains;
 using testing::Ge;
+using testing::HasSubstr;
 using testing::Pair;
 using testing::SizeIs;
 
@@ -71,28 +73,27 @@ Values echoed(const std::string& output) {
   return values;
 }
 
-/// The part of `values` stamped within [first, last].
-std::vector<std::string> between(const std::vector<std::string>& values, std::int64_t first,
-                                 std::int64_t last) {
-  std::vector<std::string> part;
-  for (const std::string& value : values) {
-    const std::int64_t stamp = std::stoll(field(value, "stamp_ns"));
-    if (stamp >= first && stamp <= last) part.push_back(value);
+/// A sample of service_status that was superseded before it arrived may be missing, on either side:
+/// its profile keeps one. What both have is the same. (Fast DDS 2.9.1 hands over samples of a keyed
+/// topic in another order at times, on a loaded machine.)
+void expect_equal_where_both_have_it(const std::vector<std::string>& ours,
+                                     const std::vector<std::string>& theirs) {
+  std::map<std::string, std::string> by_stamp;
+  for (const std::string& value : ours) by_stamp[field(value, "stamp_ns")] = value;
+  int common = 0;
+  for (const std::string& value : theirs) {
+    const auto same = by_stamp.find(field(value, "stamp_ns"));
+    if (same == by_stamp.end()) continue;
+    EXPECT_EQ(same->second, value);
+    ++common;
   }
-  return part;
+  EXPECT_GE(common, 2) << "of " << ours.size() << " and " << theirs.size() << " samples";
 }
 
-/// Equal from when both had matched the writer until one of them stopped.
-void expect_equal_while_both_listened(const std::string& topic,
-                                      const std::vector<std::string>& ours,
-                                      const std::vector<std::string>& theirs) {
-  ASSERT_THAT(ours, SizeIs(Ge(2U))) << topic;
-  ASSERT_THAT(theirs, SizeIs(Ge(2U))) << topic;
-  const auto stamp = [](const std::string& value) { return std::stoll(field(value, "stamp_ns")); };
-  const std::int64_t first = std::max(stamp(ours.front()), stamp(theirs.front()));
-  const std::int64_t last = std::min(stamp(ours.back()), stamp(theirs.back()));
-  EXPECT_THAT(between(ours, first, last), SizeIs(Ge(2U))) << topic;
-  EXPECT_EQ(between(ours, first, last), between(theirs, first, last)) << topic;
+std::string newest(const std::vector<std::string>& values) {
+  return *std::max_element(values.begin(), values.end(), [](const auto& a, const auto& b) {
+    return std::stoll(field(a, "stamp_ns")) < std::stoll(field(b, "stamp_ns"));
+  });
 }
 
 using FastDdsEcho = FastDdsTest;
@@ -116,7 +117,7 @@ TEST_F(FastDdsEcho, ReadsEverySampleOfEveryTopicAsTheLoggerRecordsIt) {
     const auto found = theirs.find(topic);
     ASSERT_NE(found, theirs.end());
     if (topic.compare(0, kStatus.size(), kStatus) == 0) {
-      expect_equal_while_both_listened(topic, values, found->second);
+      expect_equal_where_both_have_it(values, found->second);
     } else {
       EXPECT_EQ(values.size(), found->second.size());
       EXPECT_EQ(values, found->second);
@@ -126,9 +127,12 @@ TEST_F(FastDdsEcho, ReadsEverySampleOfEveryTopicAsTheLoggerRecordsIt) {
     if (topic.name == kStatus) return;
     EXPECT_THAT(ours, Contains(Pair(topic.name, SizeIs(Ge(1U)))));
   });
-  for (const char* service :
-       {R"("plant"0)", R"("supervisor"0)", R"("premotor"0)", R"("logger"0)"}) {
-    EXPECT_THAT(theirs, Contains(Pair(kStatus + " of " + service, SizeIs(Ge(2U)))));
+  // The last word of who has ended is what a keyed reader is left with.
+  for (const char* service : {R"("plant"0)", R"("supervisor"0)", R"("premotor"0)"}) {
+    SCOPED_TRACE(service);
+    const std::string key = kStatus + " of " + service;
+    EXPECT_THAT(newest(theirs.at(key)), HasSubstr("LIFECYCLE_FINALISED"));
+    EXPECT_EQ(newest(ours.at(key)), newest(theirs.at(key)));
   }
   EXPECT_THAT(ours.at("scarab/robot_state"), SizeIs(Ge(150U)));
 }
