@@ -140,6 +140,18 @@ void append_field(std::string& out, const FieldPath& field, const SampleNode& sa
   }
 }
 
+void append_fields(std::string& out, const std::vector<FieldPath>& fields,
+                   const SampleNode& sample) {
+  const char* separator = "";
+  for (const FieldPath& field : fields) {
+    out += separator;
+    append_quoted(out, field.text());
+    out += ": ";
+    append_field(out, field, sample);
+    separator = ", ";
+  }
+}
+
 void append_plain(std::string& out, const Scalar& value) { std::visit(AppendPlain{out}, value); }
 
 }  // namespace scarab::bus

@@ -1,8 +1,9 @@
 #include "tools/log/cat.hpp"
 
+#include "common/bus/sample_json.hpp"
 #include "common/bus/sample_text.hpp"
 #include "common/config/json.hpp"
-#include "tools/log/sample_json.hpp"
+#include "tools/log/hex_text.hpp"
 
 namespace scarab::log {
 namespace {

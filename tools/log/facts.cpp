@@ -4,8 +4,8 @@
 #include <filesystem>
 
 #include "common/bus/field_values.hpp"
+#include "common/bus/sample_json.hpp"
 #include "services/logger/core/sample_header.hpp"
-#include "tools/log/sample_json.hpp"
 
 namespace scarab::log {
 namespace {

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "tools/log/sample_json.hpp"
+#include "common/bus/sample_json.hpp"
 
 namespace scarab::log {
 

@@ -4,8 +4,8 @@
 #include <cmath>
 
 #include "common/bus/field_path.hpp"
+#include "common/bus/sample_json.hpp"
 #include "services/logger/core/sample_header.hpp"
-#include "tools/log/sample_json.hpp"
 #include "tools/log/topic_samples.hpp"
 
 namespace scarab::log {

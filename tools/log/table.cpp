@@ -3,8 +3,8 @@
 #include <stdexcept>
 
 #include "common/bus/sample_columns.hpp"
+#include "common/bus/sample_json.hpp"
 #include "tools/log/row.hpp"
-#include "tools/log/sample_json.hpp"
 
 namespace scarab::log {
 namespace {

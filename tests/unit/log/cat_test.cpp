@@ -11,7 +11,6 @@
 #include "common/bus/sample_text.hpp"
 #include "tests/unit/log/behaviour_log.hpp"
 #include "tests/unit/mcap/temporary_folder.hpp"
-#include "tools/log/sample_json.hpp"
 
 namespace scarab::log::test {
 namespace {
@@ -118,26 +117,6 @@ TEST(BrokenSample, IsNamed) {
   } catch (const bus::Error& error) {
     EXPECT_THAT(error.what(), testing::StartsWith("meadow, message 1: meadow::Patch: "));
   }
-}
-
-/// The writer without a tree says what the bus says.
-TEST(SampleJson, IsTheJsonOfTheBus) {
-  scarab_WorldState world{};
-  world.object_travel_m = std::numeric_limits<double>::quiet_NaN();
-  world.verdict_time_s = 1e-300;
-  std::vector<scarab_Contact> contacts(2);
-  contacts[1].point_m[2] = -std::numeric_limits<double>::infinity();
-  contacts[1].force_n[0] = 0.1;
-  bus::borrow(world.contacts, contacts);
-  bus::assign(world.verdict_reason, "tab\t, \"quotes\", \\ and \xc3\xa4");
-  const auto type = bus::TypeModel::from_descriptor(bus::descriptor<scarab_WorldState>());
-  const bus::Bytes cdr = bus::encode(world);
-  std::string text;
-  append_json(text, type, cdr);
-  EXPECT_EQ(text, bus::json_text(type, cdr));
-  std::string of_tree;
-  append_json(of_tree, bus::sample_tree(type, cdr));
-  EXPECT_EQ(of_tree, text);
 }
 
 }  // namespace
