@@ -37,16 +37,16 @@ class PremotorLink {
     const MotorIntent intent = to_intent(behaviour);
     scarab_Header header = behaviour.header;
     header.stamp_ns = bus::now_ns();
-    // Nobody in the chain waits for the state: it leaves behind the command.
+    // The state goes out first: whoever has the command can find the state that made it, and where
+    // this process is killed between the two, no log lacks it.
     scarab_NeuralActivity activity{};
     activity.header = header;
     fill(activity, state);
-    activities_.stage(activity);
+    activities_.write(activity);
     scarab_JointCommand command{};
     command.header = header;
     fill(command, controller_.targets(state, intent), intent.stop);
     commands_.write(command);
-    activities_.flush();
   }
 
   bool ends(const scarab_Behaviour& behaviour) const {
@@ -91,9 +91,7 @@ class PremotorLink {
 void serve(const runtime::ServiceOptions& options, const PremotorConfig& config,
            const robot::RobotModel& robot) {
   const bus::Peer self{"premotor", options.instance};
-  bus::ParticipantOptions joins = options.bus.participant(self.service, self.instance);
-  joins.gathers_samples = true;
-  bus::Participant participant(joins);
+  bus::Participant participant(options.bus.participant(self.service, self.instance));
   runtime::PeerCheck peers(options.expect);
   PremotorLink link(participant, self, config, robot);
   runtime::ChainResponder<PremotorLink> responder(participant, options, self, bus::kBehaviour, link,
