@@ -99,10 +99,10 @@ void add_echo(CLI::App& app, Choice& choice) {
   add_topic(command, options->topic);
   command
       .add_option("--field", options->print.fields,
-                  "only this part of each sample (header.tick, position_rad[3], contacts.length); "
+                  "only this part of each sample (header.tick, position_rad[3]); "
                   "may be given again")
       ->allow_extra_args(false)
-      ->type_name("PATH ...");
+      ->type_name("PATH");
   command.add_option("--filter", options->filter,
                      "only samples for which this holds, such as \"header.tick > 100 AND mode = "
                      "'MODE_HARD_PUSH'\" (also <> < <= >= BETWEEN LIKE OR NOT)");

@@ -13,7 +13,7 @@ std::string rounded(double value) {
   const double size = std::abs(value);
   if (!std::isfinite(value) || size >= 100.0) return fixed(value, 0);
   if (size >= 10.0) return fixed(value, 1);
-  if (size >= 1.0 || size == 0.0) return fixed(value, 2);
+  if (size >= 0.9995 || size == 0.0) return fixed(value, 2);
   return fmt::format("{:.3g}", value);
 }
 

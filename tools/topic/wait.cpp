@@ -95,7 +95,7 @@ void add_wait(CLI::App& app, Choice& choice) {
       "for late joiners count.\n"
       "Examples:\n"
       "  scarab-topic wait scarab/robot_state --timeout 10\n"
-      "  scarab-topic wait scarab/robot_sensors --hz 45 --timeout 20\n"
+      "  scarab-topic wait scarab/robot_sensors --hz 35 --timeout 20\n"
       "  scarab-topic wait scarab/world_state --filter \"verdict <> 'VERDICT_OPEN'\"\n"
       "Exit codes: 0 true, 1 failed, 2 bad usage, 3 not true in time, 4 no such topic in time, 5 "
       "type\n"
