@@ -27,42 +27,42 @@ std::size_t align(std::size_t offset, std::size_t alignment) {
 }
 
 struct LayoutOf {
-  CLayout operator()(Primitive primitive) const {
+  CLayout operator()(sample::Primitive primitive) const {
     switch (primitive) {
-      case Primitive::kBoolean:
-      case Primitive::kOctet:
-      case Primitive::kChar:
-      case Primitive::kInt8:
+      case sample::Primitive::kBoolean:
+      case sample::Primitive::kOctet:
+      case sample::Primitive::kChar:
+      case sample::Primitive::kInt8:
         return layout_of<std::uint8_t>();
-      case Primitive::kInt16:
-      case Primitive::kUint16:
+      case sample::Primitive::kInt16:
+      case sample::Primitive::kUint16:
         return layout_of<std::uint16_t>();
-      case Primitive::kInt32:
-      case Primitive::kUint32:
+      case sample::Primitive::kInt32:
+      case sample::Primitive::kUint32:
         return layout_of<std::uint32_t>();
-      case Primitive::kInt64:
-      case Primitive::kUint64:
+      case sample::Primitive::kInt64:
+      case sample::Primitive::kUint64:
         return layout_of<std::uint64_t>();
-      case Primitive::kFloat:
+      case sample::Primitive::kFloat:
         return layout_of<float>();
-      case Primitive::kDouble:
+      case sample::Primitive::kDouble:
         return layout_of<double>();
     }
     return {};
   }
-  CLayout operator()(const StringType& type) const {
+  CLayout operator()(const sample::StringType& type) const {
     return type.bound == 0 ? layout_of<char*>() : CLayout{type.bound + std::size_t{1}, 1};
   }
-  CLayout operator()(const EnumType&) const { return layout_of<AnyEnum>(); }
-  CLayout operator()(const SequenceType&) const { return layout_of<Sequence>(); }
-  CLayout operator()(const AliasType& type) const { return c_layout(*type.target); }
-  CLayout operator()(const ArrayType& type) const {
+  CLayout operator()(const sample::EnumType&) const { return layout_of<AnyEnum>(); }
+  CLayout operator()(const sample::SequenceType&) const { return layout_of<Sequence>(); }
+  CLayout operator()(const sample::AliasType& type) const { return c_layout(*type.target); }
+  CLayout operator()(const sample::ArrayType& type) const {
     const CLayout element = c_layout(*type.element);
     return {element.size * type.count(), element.alignment};
   }
-  CLayout operator()(const StructType& type) const {
+  CLayout operator()(const sample::StructType& type) const {
     CLayout all;
-    for (const Member& member : type.members) {
+    for (const sample::Member& member : type.members) {
       const CLayout one = c_layout(*member.type);
       all.size = align(all.size, one.alignment) + one.size;
       all.alignment = std::max(all.alignment, one.alignment);
@@ -74,12 +74,12 @@ struct LayoutOf {
 
 }  // namespace
 
-CLayout c_layout(const Type& type) { return std::visit(LayoutOf{}, type.kind); }
+CLayout c_layout(const sample::Type& type) { return std::visit(LayoutOf{}, type.kind); }
 
-std::vector<std::size_t> member_offsets(const StructType& type) {
+std::vector<std::size_t> member_offsets(const sample::StructType& type) {
   std::vector<std::size_t> offsets;
   std::size_t at = 0;
-  for (const Member& member : type.members) {
+  for (const sample::Member& member : type.members) {
     const CLayout one = c_layout(*member.type);
     offsets.push_back(align(at, one.alignment));
     at = offsets.back() + one.size;

@@ -3,7 +3,7 @@
 #include <cstddef>
 #include <vector>
 
-#include "common/bus/type_model.hpp"
+#include "common/sample/type_model.hpp"
 
 namespace scarab::bus {
 
@@ -13,9 +13,9 @@ struct CLayout {
   std::size_t alignment = 1;
 };
 
-CLayout c_layout(const Type& type);
+CLayout c_layout(const sample::Type& type);
 
 /// Where each member begins in the C struct.
-std::vector<std::size_t> member_offsets(const StructType& type);
+std::vector<std::size_t> member_offsets(const sample::StructType& type);
 
 }  // namespace scarab::bus

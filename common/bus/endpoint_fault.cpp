@@ -5,7 +5,8 @@
 #include <utility>
 
 #include "common/bus/compatibility.hpp"
-#include "common/bus/idl_text.hpp"
+#include "common/bus/topic_type.hpp"
+#include "common/sample/idl_text.hpp"
 
 namespace scarab::bus {
 
@@ -68,7 +69,7 @@ std::string TypeTexts::operator()(const DiscoveredEndpoint& endpoint) {
   if (fresh) {
     try {
       const TopicType type = discovery_.type_of(endpoint, patience_);
-      entry->second = idl_text(TypeModel::from_descriptor(*type));
+      entry->second = sample::idl_text(model_of(*type));
     } catch (const Error&) {
       // It does not tell its type; its name is all there is to compare.
     }

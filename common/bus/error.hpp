@@ -1,16 +1,14 @@
 #pragma once
 
-#include <stdexcept>
 #include <string>
+
+#include "common/sample/error.hpp"
 
 namespace scarab::bus {
 
 /// A failure of the bus. what() names the entity, its topic and the cause, such as
 /// `reader on scarab/behaviour: inconsistent type` or `interface eth7 not found`.
-class Error : public std::runtime_error {
- public:
-  using std::runtime_error::runtime_error;
-};
+using Error = sample::Error;
 
 /// Returns `code` when it is no error; otherwise throws Error with `context: cause`, where the
 /// cause is Cyclone's name of the code.

@@ -1,9 +1,11 @@
 #pragma once
 
+#include <dds/dds.h>
+
 #include <string>
 #include <vector>
 
-#include "common/bus/type_model.hpp"
+#include "common/sample/type_model.hpp"
 
 namespace scarab::bus {
 

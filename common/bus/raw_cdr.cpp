@@ -9,14 +9,14 @@
 #include <string>
 
 #include "common/bus/clock.hpp"
-#include "common/bus/encapsulation.hpp"
 #include "common/bus/error.hpp"
+#include "common/sample/encapsulation.hpp"
 
 namespace scarab::bus {
 
 namespace {
 
-constexpr std::size_t kHeaderSize = Encapsulation::kSize;
+constexpr std::size_t kHeaderSize = sample::Encapsulation::kSize;
 
 Error no_sample(const dds_topic_descriptor_t& type, const std::string& why) {
   return Error(std::string(type.m_typename) + ": " + why);
@@ -136,7 +136,7 @@ Bytes encode_sample(const dds_topic_descriptor_t& type, const void* sample) {
 
 void decode_sample(const dds_topic_descriptor_t& type, ByteView cdr, void* sample) {
   try {
-    const Encapsulation encapsulation = encapsulation_of(cdr);
+    const sample::Encapsulation encapsulation = sample::encapsulation_of(cdr);
     decode_payload(type, {cdr.data + kHeaderSize, cdr.size - kHeaderSize}, encapsulation.swapped,
                    encapsulation.xcdr2 ? CDR_ENC_VERSION_2 : CDR_ENC_VERSION_1, sample);
   } catch (const Error& error) {

@@ -8,21 +8,14 @@
 #include <limits>
 #include <vector>
 
+#include "common/sample/bytes.hpp"
+
 /// Samples as bytes: CDR with its encapsulation header, as they are on the wire. The one place that
 /// reaches below Cyclone's public API, whose serialiser it uses.
 namespace scarab::bus {
 
-using Bytes = std::vector<std::byte>;
-
-/// Borrowed bytes.
-struct ByteView {
-  ByteView() = default;
-  ByteView(const std::byte* first, std::size_t count) : data(first), size(count) {}
-  ByteView(const Bytes& bytes) : data(bytes.data()), size(bytes.size()) {}  // NOLINT: a view
-
-  const std::byte* data = nullptr;
-  std::size_t size = 0;
-};
+using Bytes = sample::Bytes;
+using ByteView = sample::ByteView;
 
 /// A sample a type-less reader took. `cdr` is valid only during the call it is handed to.
 struct RawSample {

@@ -5,6 +5,7 @@
 
 #include "common/bus/c_layout.hpp"
 #include "common/bus/error.hpp"
+#include "common/bus/topic_type.hpp"
 
 namespace scarab::bus {
 
@@ -17,14 +18,14 @@ T read(const std::byte* from) {
   return value;
 }
 
-void cover(const Type& type, std::size_t offset, std::vector<bool>& covered) {
-  const Type& plain = resolve(type);
-  if (const auto* structure = std::get_if<StructType>(&plain.kind)) {
+void cover(const sample::Type& type, std::size_t offset, std::vector<bool>& covered) {
+  const sample::Type& plain = sample::resolve(type);
+  if (const auto* structure = std::get_if<sample::StructType>(&plain.kind)) {
     const std::vector<std::size_t> offsets = member_offsets(*structure);
     for (std::size_t i = 0; i < offsets.size(); ++i) {
       cover(*structure->members[i].type, offset + offsets[i], covered);
     }
-  } else if (const auto* array = std::get_if<ArrayType>(&plain.kind)) {
+  } else if (const auto* array = std::get_if<sample::ArrayType>(&plain.kind)) {
     const std::size_t stride = c_layout(*array->element).size;
     for (std::size_t i = 0; i < array->count(); ++i) {
       cover(*array->element, offset + i * stride, covered);
@@ -38,7 +39,7 @@ void cover(const Type& type, std::size_t offset, std::vector<bool>& covered) {
 }  // namespace
 
 SampleCheck::SampleCheck(const dds_topic_descriptor_t& descriptor) {
-  const TypeModel model = TypeModel::from_descriptor(descriptor);
+  const sample::TypeModel model = model_of(descriptor);
   const CLayout layout = c_layout(*model.type());
   if (layout.size != descriptor.m_size || layout.alignment != descriptor.m_align) {
     throw Error("type " + model.name() + ": its C struct is not that of its type information");
@@ -54,34 +55,35 @@ SampleCheck::SampleCheck(const dds_topic_descriptor_t& descriptor) {
   }
 }
 
-std::vector<SampleCheck::Field> SampleCheck::fields_of(const TypeRef& type, std::size_t offset,
+std::vector<SampleCheck::Field> SampleCheck::fields_of(const sample::TypeRef& type,
+                                                       std::size_t offset,
                                                        const std::string& name) {
-  const Type& plain = resolve(*type);
-  if (const auto* structure = std::get_if<StructType>(&plain.kind)) {
+  const sample::Type& plain = sample::resolve(*type);
+  if (const auto* structure = std::get_if<sample::StructType>(&plain.kind)) {
     return fields_of_struct(*structure, offset, name);
   }
-  if (std::holds_alternative<EnumType>(plain.kind)) {
+  if (std::holds_alternative<sample::EnumType>(plain.kind)) {
     // The enum lives as long as the tree that refers to it.
-    return {{Field::Kind::kEnum, name, offset, 0, 0, TypeRef(type, &plain), {}}};
+    return {{Field::Kind::kEnum, name, offset, 0, 0, sample::TypeRef(type, &plain), {}}};
   }
-  if (const auto* primitive = std::get_if<Primitive>(&plain.kind)) {
-    if (*primitive != Primitive::kBoolean) return {};
+  if (const auto* primitive = std::get_if<sample::Primitive>(&plain.kind)) {
+    if (*primitive != sample::Primitive::kBoolean) return {};
     return {{Field::Kind::kBoolean, name, offset, 0, 0, nullptr, {}}};
   }
-  if (const auto* string = std::get_if<StringType>(&plain.kind)) {
+  if (const auto* string = std::get_if<sample::StringType>(&plain.kind)) {
     if (string->bound == 0) return {};
     return {{Field::Kind::kText, name, offset, string->bound, 0, nullptr, {}}};
   }
   return fields_of_list(plain, offset, name);
 }
 
-std::vector<SampleCheck::Field> SampleCheck::fields_of_struct(const StructType& type,
+std::vector<SampleCheck::Field> SampleCheck::fields_of_struct(const sample::StructType& type,
                                                               std::size_t offset,
                                                               const std::string& name) {
   std::vector<Field> out;
   const std::vector<std::size_t> offsets = member_offsets(type);
   for (std::size_t i = 0; i < offsets.size(); ++i) {
-    const Member& member = type.members[i];
+    const sample::Member& member = type.members[i];
     const std::string path = name.empty() ? member.name : name + "." + member.name;
     for (Field& field : fields_of(member.type, offset + offsets[i], path)) {
       out.push_back(std::move(field));
@@ -90,15 +92,16 @@ std::vector<SampleCheck::Field> SampleCheck::fields_of_struct(const StructType& 
   return out;
 }
 
-std::vector<SampleCheck::Field> SampleCheck::fields_of_list(const Type& type, std::size_t offset,
+std::vector<SampleCheck::Field> SampleCheck::fields_of_list(const sample::Type& type,
+                                                            std::size_t offset,
                                                             const std::string& name) {
-  if (const auto* array = std::get_if<ArrayType>(&type.kind)) {
+  if (const auto* array = std::get_if<sample::ArrayType>(&type.kind)) {
     std::vector<Field> element = fields_of(array->element, 0, "");
     if (element.empty()) return {};
     return {{Field::Kind::kArray, name, offset, array->count(), c_layout(*array->element).size,
              nullptr, std::move(element)}};
   }
-  const auto& sequence = std::get<SequenceType>(type.kind);
+  const auto& sequence = std::get<sample::SequenceType>(type.kind);
   return {{Field::Kind::kSequence, name, offset, sequence.bound, c_layout(*sequence.element).size,
            nullptr, fields_of(sequence.element, 0, "")}};
 }
@@ -118,7 +121,7 @@ void SampleCheck::check_one(const Field& field, const std::byte* base) {
       if (read<std::uint8_t>(at) > 1) throw Error(field.name + ": neither true nor false");
       break;
     case Field::Kind::kEnum: {
-      const auto& type = std::get<EnumType>(field.type->kind);
+      const auto& type = std::get<sample::EnumType>(field.type->kind);
       const auto value = read<std::int32_t>(at);
       if (type.name_of(value) != nullptr) break;
       throw Error(field.name + ": " + std::to_string(value) + " is no " + type.name);

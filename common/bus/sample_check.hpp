@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "common/bus/type_model.hpp"
+#include "common/sample/type_model.hpp"
 
 namespace scarab::bus {
 
@@ -36,15 +36,15 @@ class SampleCheck {
     std::size_t offset = 0;  ///< from the start of the struct
     std::size_t bound = 0;   ///< kText: characters; kSequence: elements, 0: any; kArray: elements
     std::size_t stride = 0;  ///< of a list: bytes of an element
-    TypeRef type;            ///< of an enum
+    sample::TypeRef type;    ///< of an enum
     std::vector<Field> element;  ///< of a list: what to check in each element
   };
 
-  static std::vector<Field> fields_of(const TypeRef& type, std::size_t offset,
+  static std::vector<Field> fields_of(const sample::TypeRef& type, std::size_t offset,
                                       const std::string& name);
-  static std::vector<Field> fields_of_struct(const StructType& type, std::size_t offset,
+  static std::vector<Field> fields_of_struct(const sample::StructType& type, std::size_t offset,
                                              const std::string& name);
-  static std::vector<Field> fields_of_list(const Type& type, std::size_t offset,
+  static std::vector<Field> fields_of_list(const sample::Type& type, std::size_t offset,
                                            const std::string& name);
   static void check_all(const std::vector<Field>& fields, const std::byte* base);
   static void check_one(const Field& field, const std::byte* base);

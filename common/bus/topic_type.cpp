@@ -3,7 +3,7 @@
 #include <algorithm>
 
 #include "common/bus/error.hpp"
-#include "common/bus/type_model.hpp"
+#include "common/bus/type_object_walker.hpp"
 
 namespace scarab::bus {
 
@@ -20,23 +20,25 @@ struct Corrected {
   dds_topic_descriptor_t copy;
 };
 
-bool has_text(const Type& type) {
-  const Type& plain = resolve(type);
-  if (std::holds_alternative<StringType>(plain.kind)) return true;
-  if (const auto* array = std::get_if<ArrayType>(&plain.kind)) return has_text(*array->element);
-  const auto* structure = std::get_if<StructType>(&plain.kind);
+bool has_text(const sample::Type& type) {
+  const sample::Type& plain = sample::resolve(type);
+  if (std::holds_alternative<sample::StringType>(plain.kind)) return true;
+  if (const auto* array = std::get_if<sample::ArrayType>(&plain.kind))
+    return has_text(*array->element);
+  const auto* structure = std::get_if<sample::StructType>(&plain.kind);
   return structure != nullptr &&
          std::any_of(structure->members.begin(), structure->members.end(),
-                     [](const Member& member) { return has_text(*member.type); });
+                     [](const sample::Member& member) { return has_text(*member.type); });
 }
 
 bool key_has_text(const dds_topic_descriptor_t& descriptor) {
   if (descriptor.m_nkeys == 0) return false;
   try {
-    const TypeModel model = TypeModel::from_descriptor(descriptor);
+    const sample::TypeModel model = model_of(descriptor);
     const auto& members = model.root().members;
-    return std::any_of(members.begin(), members.end(),
-                       [](const Member& member) { return member.key && has_text(*member.type); });
+    return std::any_of(members.begin(), members.end(), [](const sample::Member& member) {
+      return member.key && has_text(*member.type);
+    });
   } catch (const Error&) {
     return true;  // a type with parts that TypeModel does not know: without the mark it works as
                   // well
@@ -60,6 +62,10 @@ TopicType own_discovered(dds_topic_descriptor_t* descriptor) {
 
 TopicType borrow_compiled(const dds_topic_descriptor_t& compiled) {
   return {&compiled, [](const dds_topic_descriptor_t*) {}};
+}
+
+sample::TypeModel model_of(const dds_topic_descriptor_t& descriptor) {
+  return sample::TypeModel(walk_type_objects(descriptor));
 }
 
 }  // namespace scarab::bus

@@ -4,6 +4,8 @@
 
 #include <memory>
 
+#include "common/sample/type_model.hpp"
+
 namespace scarab::bus {
 
 /// A topic type that is known at run time only.
@@ -17,5 +19,10 @@ TopicType own_discovered(dds_topic_descriptor_t* made);
 
 /// A descriptor that lives as long as the program.
 TopicType borrow_compiled(const dds_topic_descriptor_t& compiled);
+
+/// The model of a compiled or discovered topic type. Throws Error for one without type
+/// information, and for what has no place in it: unions, maps, bit sets and masks, wide text,
+/// optional members, mutable types.
+sample::TypeModel model_of(const dds_topic_descriptor_t& descriptor);
 
 }  // namespace scarab::bus

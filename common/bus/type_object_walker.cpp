@@ -46,8 +46,8 @@ Hash hash_of(const TypeIdentifier& id) {
   return {reinterpret_cast<const char*>(bytes), sizeof(bytes)};
 }
 
-TypeRef make(decltype(Type::kind) kind) {
-  return std::make_shared<const Type>(Type{std::move(kind)});
+sample::TypeRef make(decltype(sample::Type::kind) kind) {
+  return std::make_shared<const sample::Type>(sample::Type{std::move(kind)});
 }
 
 template <class Bounds>
@@ -65,30 +65,35 @@ class Walker {
     }
   }
 
-  TypeRef type_of(const TypeIdentifier& id);
+  sample::TypeRef type_of(const TypeIdentifier& id);
 
  private:
-  TypeRef named(const TypeIdentifier& id);
-  TypeRef struct_type(const DDS_XTypes_CompleteStructType& from);
-  TypeRef enum_type(const DDS_XTypes_CompleteEnumeratedType& from);
-  TypeRef object_type(const DDS_XTypes_CompleteTypeObject& object);
+  sample::TypeRef named(const TypeIdentifier& id);
+  sample::TypeRef struct_type(const DDS_XTypes_CompleteStructType& from);
+  sample::TypeRef enum_type(const DDS_XTypes_CompleteEnumeratedType& from);
+  sample::TypeRef object_type(const DDS_XTypes_CompleteTypeObject& object);
   Error unsupported(const std::string& what) const {
     return Error("type " + topic_type_ + ": " + what + " not supported");
   }
 
   std::string topic_type_;
   std::map<Hash, const DDS_XTypes_CompleteTypeObject*> objects_;
-  std::map<Hash, TypeRef> done_;
+  std::map<Hash, sample::TypeRef> done_;
 };
 
-const std::map<int, Primitive>& primitives() {
-  static const std::map<int, Primitive> kinds{
-      {DDS_XTypes_TK_BOOLEAN, Primitive::kBoolean}, {DDS_XTypes_TK_BYTE, Primitive::kOctet},
-      {DDS_XTypes_TK_CHAR8, Primitive::kChar},      {DDS_XTypes_TK_INT16, Primitive::kInt16},
-      {DDS_XTypes_TK_INT32, Primitive::kInt32},     {DDS_XTypes_TK_INT64, Primitive::kInt64},
-      {DDS_XTypes_TK_UINT16, Primitive::kUint16},   {DDS_XTypes_TK_UINT32, Primitive::kUint32},
-      {DDS_XTypes_TK_UINT64, Primitive::kUint64},   {DDS_XTypes_TK_FLOAT32, Primitive::kFloat},
-      {DDS_XTypes_TK_FLOAT64, Primitive::kDouble}};
+const std::map<int, sample::Primitive>& primitives() {
+  static const std::map<int, sample::Primitive> kinds{
+      {DDS_XTypes_TK_BOOLEAN, sample::Primitive::kBoolean},
+      {DDS_XTypes_TK_BYTE, sample::Primitive::kOctet},
+      {DDS_XTypes_TK_CHAR8, sample::Primitive::kChar},
+      {DDS_XTypes_TK_INT16, sample::Primitive::kInt16},
+      {DDS_XTypes_TK_INT32, sample::Primitive::kInt32},
+      {DDS_XTypes_TK_INT64, sample::Primitive::kInt64},
+      {DDS_XTypes_TK_UINT16, sample::Primitive::kUint16},
+      {DDS_XTypes_TK_UINT32, sample::Primitive::kUint32},
+      {DDS_XTypes_TK_UINT64, sample::Primitive::kUint64},
+      {DDS_XTypes_TK_FLOAT32, sample::Primitive::kFloat},
+      {DDS_XTypes_TK_FLOAT64, sample::Primitive::kDouble}};
   return kinds;
 }
 
@@ -121,25 +126,27 @@ std::string construct_name(const DDS_XTypes_CompleteTypeObject& object) {
   return construct_name(object._d);
 }
 
-TypeRef Walker::type_of(const TypeIdentifier& id) {
+sample::TypeRef Walker::type_of(const TypeIdentifier& id) {
   const auto primitive = primitives().find(id._d);
   if (primitive != primitives().end()) return make(primitive->second);
   const auto& u = id._u;
   switch (id._d) {
     case DDS_XTypes_TI_STRING8_SMALL:
-      return make(StringType{u.string_sdefn.bound});
+      return make(sample::StringType{u.string_sdefn.bound});
     case DDS_XTypes_TI_STRING8_LARGE:
-      return make(StringType{u.string_ldefn.bound});
+      return make(sample::StringType{u.string_ldefn.bound});
     case DDS_XTypes_TI_PLAIN_SEQUENCE_SMALL:
-      return make(SequenceType{type_of(*u.seq_sdefn.element_identifier), u.seq_sdefn.bound});
+      return make(
+          sample::SequenceType{type_of(*u.seq_sdefn.element_identifier), u.seq_sdefn.bound});
     case DDS_XTypes_TI_PLAIN_SEQUENCE_LARGE:
-      return make(SequenceType{type_of(*u.seq_ldefn.element_identifier), u.seq_ldefn.bound});
+      return make(
+          sample::SequenceType{type_of(*u.seq_ldefn.element_identifier), u.seq_ldefn.bound});
     case DDS_XTypes_TI_PLAIN_ARRAY_SMALL:
-      return make(ArrayType{type_of(*u.array_sdefn.element_identifier),
-                            dimensions(u.array_sdefn.array_bound_seq)});
+      return make(sample::ArrayType{type_of(*u.array_sdefn.element_identifier),
+                                    dimensions(u.array_sdefn.array_bound_seq)});
     case DDS_XTypes_TI_PLAIN_ARRAY_LARGE:
-      return make(ArrayType{type_of(*u.array_ldefn.element_identifier),
-                            dimensions(u.array_ldefn.array_bound_seq)});
+      return make(sample::ArrayType{type_of(*u.array_ldefn.element_identifier),
+                                    dimensions(u.array_ldefn.array_bound_seq)});
     case DDS_XTypes_EK_COMPLETE:
       return named(id);
     default:
@@ -147,17 +154,17 @@ TypeRef Walker::type_of(const TypeIdentifier& id) {
   }
 }
 
-TypeRef Walker::named(const TypeIdentifier& id) {
+sample::TypeRef Walker::named(const TypeIdentifier& id) {
   const Hash hash = hash_of(id);
-  TypeRef& known = done_[hash];
+  sample::TypeRef& known = done_[hash];
   if (known) return known;
   const auto object = objects_.find(hash);
   if (object == objects_.end()) throw unsupported("incomplete type information");
-  TypeRef made = object_type(*object->second);
+  sample::TypeRef made = object_type(*object->second);
   return done_[hash] = std::move(made);
 }
 
-TypeRef Walker::object_type(const DDS_XTypes_CompleteTypeObject& object) {
+sample::TypeRef Walker::object_type(const DDS_XTypes_CompleteTypeObject& object) {
   switch (object._d) {
     case DDS_XTypes_TK_STRUCTURE:
       return struct_type(object._u.struct_type);
@@ -165,36 +172,36 @@ TypeRef Walker::object_type(const DDS_XTypes_CompleteTypeObject& object) {
       return enum_type(object._u.enumerated_type);
     case DDS_XTypes_TK_ALIAS: {
       const auto& alias = object._u.alias_type;
-      return make(
-          AliasType{alias.header.detail.type_name, type_of(alias.body.common.related_type)});
+      return make(sample::AliasType{alias.header.detail.type_name,
+                                    type_of(alias.body.common.related_type)});
     }
     case DDS_XTypes_TK_SEQUENCE: {
       const auto& sequence = object._u.sequence_type;
-      return make(
-          SequenceType{type_of(sequence.element.common.type), sequence.header.common.bound});
+      return make(sample::SequenceType{type_of(sequence.element.common.type),
+                                       sequence.header.common.bound});
     }
     case DDS_XTypes_TK_ARRAY: {
       const auto& array = object._u.array_type;
-      return make(
-          ArrayType{type_of(array.element.common.type), dimensions(array.header.common.bound_seq)});
+      return make(sample::ArrayType{type_of(array.element.common.type),
+                                    dimensions(array.header.common.bound_seq)});
     }
     default:
       throw unsupported(construct_name(object));
   }
 }
 
-TypeRef Walker::struct_type(const DDS_XTypes_CompleteStructType& from) {
-  StructType out{from.header.detail.type_name, {}};
+sample::TypeRef Walker::struct_type(const DDS_XTypes_CompleteStructType& from) {
+  sample::StructType out{from.header.detail.type_name, {}};
   if ((from.struct_flags & DDS_XTypes_IS_MUTABLE) != 0) {
     throw unsupported("mutable struct " + out.name);
   }
   if ((from.struct_flags & DDS_XTypes_IS_APPENDABLE) != 0) {
-    out.extensibility = Extensibility::kAppendable;
+    out.extensibility = sample::Extensibility::kAppendable;
   }
   if (from.header.base_type._d != DDS_XTypes_TK_NONE) {
     // On the wire the members of a base are just the first ones.
-    const TypeRef base = type_of(from.header.base_type);
-    const auto* structure = std::get_if<StructType>(&resolve(*base).kind);
+    const sample::TypeRef base = type_of(from.header.base_type);
+    const auto* structure = std::get_if<sample::StructType>(&sample::resolve(*base).kind);
     if (structure == nullptr) throw unsupported("base of " + out.name);
     out.members = structure->members;
   }
@@ -209,8 +216,8 @@ TypeRef Walker::struct_type(const DDS_XTypes_CompleteStructType& from) {
   return make(std::move(out));
 }
 
-TypeRef Walker::enum_type(const DDS_XTypes_CompleteEnumeratedType& from) {
-  EnumType out{from.header.detail.type_name, {}};
+sample::TypeRef Walker::enum_type(const DDS_XTypes_CompleteEnumeratedType& from) {
+  sample::EnumType out{from.header.detail.type_name, {}};
   if (from.header.common.bit_bound > 32 || from.header.common.bit_bound <= 16) {
     throw unsupported("enum " + out.name + " of " + std::to_string(from.header.common.bit_bound) +
                       " bits");
@@ -254,7 +261,7 @@ bool holds(const Pairs& pairs, const DDS_XTypes_TypeIdentifierWithDependencies& 
 
 }  // namespace
 
-TypeRef walk_type_objects(const dds_topic_descriptor_t& descriptor) {
+sample::TypeRef walk_type_objects(const dds_topic_descriptor_t& descriptor) {
   const TypeObjects found(descriptor);
   return Walker(descriptor.m_typename, *found.map)
       .type_of(found.information->complete.typeid_with_size.type_id);

@@ -5,11 +5,12 @@
 #include <set>
 
 #include "common/bus/error.hpp"
-#include "common/bus/idl_text.hpp"
 #include "common/bus/raw_qos.hpp"
 #include "common/bus/stored_type.hpp"
+#include "common/bus/topic_type.hpp"
 #include "common/bus/topics.hpp"
-#include "common/bus/type_model.hpp"
+#include "common/sample/idl_text.hpp"
+#include "common/sample/type_model.hpp"
 #include "services/logger/core/base64.hpp"
 
 namespace scarab::logger {
@@ -18,14 +19,14 @@ namespace {
 /// The IDL for the log; a type that the log's readers could not take is recorded as bytes alone.
 std::string schema_text(const bus::TopicType& type, const std::string& topic) {
   try {
-    return bus::idl_text(bus::TypeModel::from_descriptor(*type));
+    return sample::idl_text(bus::model_of(*type));
   } catch (const bus::Error& error) {
     spdlog::warn("{} is recorded without a schema: {}", topic, error.what());
     return "";
   }
 }
 
-std::string in_base64(const bus::Bytes& bytes) {
+std::string in_base64(const sample::Bytes& bytes) {
   return base64(reinterpret_cast<const std::uint8_t*>(bytes.data()), bytes.size());
 }
 

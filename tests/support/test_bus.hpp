@@ -18,7 +18,7 @@ bus::ParticipantOptions test_options(const std::string& service, std::uint32_t i
 
 /// The bytes of a sample of the chain without its wall-clock stamp: what equal runs have in common.
 template <class T>
-bus::Bytes timeless_bytes(T sample) {
+sample::Bytes timeless_bytes(T sample) {
   sample.header.stamp_ns = 0;
   return bus::encode(sample);
 }

@@ -49,8 +49,8 @@ Triggers read_triggers(const std::filesystem::path& log) {
   const mcap::Reader reader(log);
   reader.for_each(
       [&](const mcap::Channel& channel, const mcap::Message& message) {
-        const bus::ByteView bytes{reinterpret_cast<const std::byte*>(message.data.data()),
-                                  message.data.size()};
+        const sample::ByteView bytes{reinterpret_cast<const std::byte*>(message.data.data()),
+                                     message.data.size()};
         if (channel.topic == bus::kWorldState.name) {
           const auto world = bus::decode<scarab_WorldState>(bytes);
           out.success = world->verdict == scarab_VERDICT_SUCCESS;

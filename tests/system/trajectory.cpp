@@ -18,7 +18,7 @@ constexpr std::size_t kStampAt = 20;
 constexpr std::size_t kHeaderEnd = 28;
 
 template <class T>
-T number_at(bus::ByteView cdr, std::size_t offset) {
+T number_at(sample::ByteView cdr, std::size_t offset) {
   T number;
   std::memcpy(&number, cdr.data + offset, sizeof(number));
   return number;
@@ -55,10 +55,10 @@ Trajectory Trajectory::read(const std::filesystem::path& log) {
   return trajectory;
 }
 
-void Trajectory::add(const std::string& topic, bus::ByteView cdr) {
+void Trajectory::add(const std::string& topic, sample::ByteView cdr) {
   if (cdr.size < kHeaderEnd) throw std::runtime_error(topic + ": a sample without a header");
   const Key key{number_at<std::uint32_t>(cdr, kTickAt), number_at<std::int64_t>(cdr, kTimeAt)};
-  bus::Bytes bytes(cdr.data, cdr.data + cdr.size);
+  sample::Bytes bytes(cdr.data, cdr.data + cdr.size);
   std::fill(bytes.begin() + kStampAt, bytes.begin() + kHeaderEnd, std::byte{0});
   const auto [entry, fresh] = samples_[topic].try_emplace(key, bytes);
   if (!fresh && entry->second != bytes) changed_.push_back(name_of(topic, key));

@@ -17,7 +17,7 @@ class Trajectory {
   /// Tick and simulated time, ns.
   using Key = std::pair<std::uint32_t, std::int64_t>;
   /// Of one topic, in order.
-  using Samples = std::map<Key, bus::Bytes>;
+  using Samples = std::map<Key, sample::Bytes>;
 
   /// The topics that make it up.
   static const std::vector<std::string>& topics();
@@ -26,7 +26,7 @@ class Trajectory {
 
   /// Takes in a sample as a type-less reader takes it. One that comes again, as from a restarted
   /// service, must be the same again.
-  void add(const std::string& topic, bus::ByteView cdr);
+  void add(const std::string& topic, sample::ByteView cdr);
 
   /// The same without what says whether it was run in real time.
   [[nodiscard]] Trajectory paceless() const;

@@ -15,7 +15,7 @@ namespace {
 constexpr std::size_t kEncapsulation = 4;
 constexpr std::size_t kHeaderSize = 24;  // trial, tick, sim_time_ns, stamp_ns
 
-bus::ByteView bytes_of(const mcap::Message& message) {
+sample::ByteView bytes_of(const mcap::Message& message) {
   return {reinterpret_cast<const std::byte*>(message.data.data()), message.data.size()};
 }
 

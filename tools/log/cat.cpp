@@ -1,8 +1,8 @@
 #include "tools/log/cat.hpp"
 
-#include "common/bus/sample_json.hpp"
-#include "common/bus/sample_text.hpp"
 #include "common/config/json.hpp"
+#include "common/sample/sample_json.hpp"
+#include "common/sample/sample_text.hpp"
 #include "tools/log/hex_text.hpp"
 
 namespace scarab::log {
@@ -39,7 +39,7 @@ class Printer {
       append_json(text_, *channel.type, cdr_of(message));
     } else {
       text_ += "\"value\":{";
-      append_fields(text_, fields, bus::sample_tree(*channel.type, cdr_of(message)));
+      append_fields(text_, fields, sample::sample_tree(*channel.type, cdr_of(message)));
       text_ += '}';
     }
     text_ += "}\n";
@@ -56,11 +56,11 @@ class Printer {
       append_hex(text_, cdr_of(message));
       text_ += '\n';
     } else if (fields.empty()) {
-      text_ += "value:\n" + indented(bus::yaml_text(*channel.type, cdr_of(message)));
+      text_ += "value:\n" + indented(sample::yaml_text(*channel.type, cdr_of(message)));
     } else {
-      const bus::SampleNode sample = bus::sample_tree(*channel.type, cdr_of(message));
+      const sample::SampleNode sample = sample::sample_tree(*channel.type, cdr_of(message));
       text_ += "value:\n";
-      for (const bus::FieldPath& field : fields) {
+      for (const sample::FieldPath& field : fields) {
         text_ += "  " + field.text() + ": ";
         append_field(text_, field, sample);  // JSON is YAML's flow style
         text_ += '\n';

@@ -1,8 +1,9 @@
 #include "tools/log/channel_type.hpp"
 
 #include "common/bus/error.hpp"
-#include "common/bus/idl_parser.hpp"
 #include "common/bus/known_types.hpp"
+#include "common/bus/topic_type.hpp"
+#include "common/sample/idl_parser.hpp"
 #include "tools/log/ros_message.hpp"
 
 namespace scarab::log {
@@ -11,12 +12,12 @@ namespace {
 /// Sets the type, or why there is none.
 void find_type(const mcap::Schema& schema, LogChannel& channel) {
   if (const auto* known = bus::find_known_type(schema.name); known && schema.data.empty()) {
-    channel.type = bus::TypeModel::from_descriptor(*known);
+    channel.type = bus::model_of(*known);
     return;
   }
   try {
     if (schema.encoding == "omgidl") {
-      channel.type = bus::parse_idl(schema.data, schema.name);
+      channel.type = sample::parse_idl(schema.data, schema.name);
     } else if (schema.encoding == "ros2msg") {
       channel.type = parse_ros_message(schema.data, schema.name);
     } else {
@@ -51,10 +52,10 @@ LogChannel read_channel(const mcap::Channel& record, const mcap::Schema* schema)
   return channel;
 }
 
-bool begins_with_header(const bus::TypeModel& type) {
+bool begins_with_header(const sample::TypeModel& type) {
   if (type.root().members.empty()) return false;
-  const bus::Type& first = bus::resolve(*type.root().members.front().type);
-  const auto* header = std::get_if<bus::StructType>(&first.kind);
+  const sample::Type& first = sample::resolve(*type.root().members.front().type);
+  const auto* header = std::get_if<sample::StructType>(&first.kind);
   return header != nullptr && header->name == "scarab::Header";
 }
 

@@ -10,6 +10,6 @@ namespace scarab::log {
 LogChannel read_channel(const mcap::Channel& channel, const mcap::Schema* schema);
 
 /// True when samples of the type begin with the chain's Header.
-bool begins_with_header(const bus::TypeModel& type);
+bool begins_with_header(const sample::TypeModel& type);
 
 }  // namespace scarab::log

@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <filesystem>
 
-#include "common/bus/field_values.hpp"
-#include "common/bus/sample_json.hpp"
+#include "common/sample/field_values.hpp"
+#include "common/sample/sample_json.hpp"
 #include "services/logger/core/sample_header.hpp"
 
 namespace scarab::log {
@@ -91,7 +91,7 @@ void add_span(LogFacts& facts) {
 std::optional<std::string> field_text(const LogChannel& channel, const mcap::Message& message,
                                       const std::string& field) try {
   if (!channel.type) return std::nullopt;
-  const bus::FieldValues value(*channel.type, {bus::FieldPath(*channel.type, field)});
+  const sample::FieldValues value(*channel.type, {sample::FieldPath(*channel.type, field)});
   std::string text;
   append_plain(text, value.read(cdr_of(message)).at(0).value());
   return text;

@@ -2,7 +2,7 @@
 
 namespace scarab::log {
 
-void append_hex(std::string& out, bus::ByteView bytes) {
+void append_hex(std::string& out, sample::ByteView bytes) {
   constexpr const char* kDigits = "0123456789abcdef";
   out += '"';
   for (std::size_t i = 0; i < bytes.size; ++i) {

@@ -7,6 +7,6 @@
 namespace scarab::log {
 
 /// Appends bytes as a JSON string of hexadecimal digits.
-void append_hex(std::string& out, bus::ByteView bytes);
+void append_hex(std::string& out, sample::ByteView bytes);
 
 }  // namespace scarab::log

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <stdexcept>
 
-#include "common/bus/idl_text.hpp"
+#include "common/sample/idl_text.hpp"
 #include "tools/log/channel_type.hpp"
 
 namespace scarab::log {
@@ -130,12 +130,12 @@ const LogChannel& require_topic(const Log& log, const std::string& topic) {
                               (known.empty() ? "; it has none" : "; there are" + known));
 }
 
-const bus::TypeModel& require_type(const Log& log, const std::string& topic) {
+const sample::TypeModel& require_type(const Log& log, const std::string& topic) {
   const LogChannel& channel = require_topic(log, topic);
   if (!channel.type) throw std::invalid_argument(topic + ": " + channel.no_type);
-  const std::string idl = bus::idl_text(*channel.type);
+  const std::string idl = sample::idl_text(*channel.type);
   for (const LogChannel* other : log.channels(topic)) {
-    if (!other->type || bus::idl_text(*other->type) != idl) {
+    if (!other->type || sample::idl_text(*other->type) != idl) {
       throw std::invalid_argument(topic + " has samples of different types");
     }
   }

@@ -12,18 +12,18 @@
 
 #include "common/bus/error.hpp"
 #include "common/bus/raw_cdr.hpp"
-#include "common/bus/type_model.hpp"
 #include "common/mcap/reader.hpp"
+#include "common/sample/type_model.hpp"
 
 namespace scarab::log {
 
 /// A channel of one file, and how its messages are read.
 struct LogChannel {
   std::string topic;
-  std::string type_name;               ///< as its schema says; empty without one
-  std::optional<bus::TypeModel> type;  ///< none: messages are bytes
-  std::string no_type;                 ///< why there is none, in words
-  bool has_header = false;             ///< messages begin with the chain's Header
+  std::string type_name;                  ///< as its schema says; empty without one
+  std::optional<sample::TypeModel> type;  ///< none: messages are bytes
+  std::string no_type;                    ///< why there is none, in words
+  bool has_header = false;                ///< messages begin with the chain's Header
   mcap::Channel record;
 };
 
@@ -65,7 +65,7 @@ class Log {
 };
 
 /// A message's bytes as the bus takes them.
-inline bus::ByteView cdr_of(const mcap::Message& message) {
+inline sample::ByteView cdr_of(const mcap::Message& message) {
   return {reinterpret_cast<const std::byte*>(message.data.data()), message.data.size()};
 }
 
@@ -85,6 +85,6 @@ const LogChannel& require_topic(const Log& log, const std::string& topic);
 
 /// The same, and the type of its samples. Throws std::invalid_argument where it is not known, or
 /// not the same for all.
-const bus::TypeModel& require_type(const Log& log, const std::string& topic);
+const sample::TypeModel& require_type(const Log& log, const std::string& topic);
 
 }  // namespace scarab::log

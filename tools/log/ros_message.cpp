@@ -18,8 +18,8 @@ std::string short_name(std::string name) {
   return at == std::string::npos ? name : name.replace(at, 5, "/");
 }
 
-const std::map<std::string, bus::Primitive>& primitives() {
-  using bus::Primitive;
+const std::map<std::string, sample::Primitive>& primitives() {
+  using sample::Primitive;
   static const std::map<std::string, Primitive> kPrimitives = {
       {"bool", Primitive::kBoolean},  {"byte", Primitive::kOctet},
       {"char", Primitive::kOctet},    {"uint8", Primitive::kOctet},
@@ -75,21 +75,21 @@ class Builder {
  public:
   explicit Builder(Definitions definitions) : definitions_(std::move(definitions)) {}
 
-  bus::TypeRef message(const std::string& name, std::size_t line) {
+  sample::TypeRef message(const std::string& name, std::size_t line) {
     const auto made = made_.find(name);
     if (made != made_.end()) return made->second;
     const auto definition = definitions_.find(name);
     if (definition == definitions_.end() || !open_.insert(name).second) {
       throw bus::Error("line " + std::to_string(line) + ": no definition of " + name);
     }
-    bus::StructType structure;
+    sample::StructType structure;
     structure.name = name;
     for (const Line& field : definition->second) {
       structure.members.push_back({field.name, type(field, name.substr(0, name.find('/'))), false});
     }
     if (structure.members.empty()) {  // what rosidl makes of it, for IDL has no empty struct
       structure.members.push_back(
-          {"structure_needs_at_least_one_member", make(bus::Primitive::kOctet), false});
+          {"structure_needs_at_least_one_member", make(sample::Primitive::kOctet), false});
     }
     open_.erase(name);
     return made_[name] = make(std::move(structure));
@@ -97,8 +97,8 @@ class Builder {
 
  private:
   template <class Kind>
-  static bus::TypeRef make(Kind kind) {
-    return std::make_shared<const bus::Type>(bus::Type{std::move(kind)});
+  static sample::TypeRef make(Kind kind) {
+    return std::make_shared<const sample::Type>(sample::Type{std::move(kind)});
   }
 
   static std::uint32_t number(const std::string& text, const Line& line) {
@@ -109,26 +109,27 @@ class Builder {
   }
 
   /// `float64[]`, `Point[3]`, `string<=10[<=5]`.
-  bus::TypeRef type(const Line& line, const std::string& package) {
+  sample::TypeRef type(const Line& line, const std::string& package) {
     const std::size_t bracket = line.type.find('[');
-    const bus::TypeRef element = single(line.type.substr(0, bracket), line, package);
+    const sample::TypeRef element = single(line.type.substr(0, bracket), line, package);
     if (bracket == std::string::npos) return element;
     if (line.type.back() != ']') {
       throw bus::Error("line " + std::to_string(line.number) + ": [ without ]");
     }
     const std::string bound = line.type.substr(bracket + 1, line.type.size() - bracket - 2);
-    if (bound.empty()) return make(bus::SequenceType{element, 0});
+    if (bound.empty()) return make(sample::SequenceType{element, 0});
     if (bound.rfind("<=", 0) == 0) {
-      return make(bus::SequenceType{element, number(bound.substr(2), line)});
+      return make(sample::SequenceType{element, number(bound.substr(2), line)});
     }
-    return make(bus::ArrayType{element, {number(bound, line)}});
+    return make(sample::ArrayType{element, {number(bound, line)}});
   }
 
-  bus::TypeRef single(const std::string& name, const Line& line, const std::string& package) {
+  sample::TypeRef single(const std::string& name, const Line& line, const std::string& package) {
     const auto primitive = primitives().find(name);
     if (primitive != primitives().end()) return make(primitive->second);
-    if (name == "string") return make(bus::StringType{});
-    if (name.rfind("string<=", 0) == 0) return make(bus::StringType{number(name.substr(8), line)});
+    if (name == "string") return make(sample::StringType{});
+    if (name.rfind("string<=", 0) == 0)
+      return make(sample::StringType{number(name.substr(8), line)});
     if (name.rfind("wstring", 0) == 0) {
       throw bus::Error("line " + std::to_string(line.number) + ": wide strings are not read");
     }
@@ -141,14 +142,14 @@ class Builder {
   }
 
   Definitions definitions_;
-  std::map<std::string, bus::TypeRef> made_;
+  std::map<std::string, sample::TypeRef> made_;
   std::set<std::string> open_;  // being made: a type that holds itself is none
 };
 
 }  // namespace
 
-bus::TypeModel parse_ros_message(const std::string& text, const std::string& type_name) {
-  return bus::TypeModel(Builder(split(text, type_name)).message(short_name(type_name), 1));
+sample::TypeModel parse_ros_message(const std::string& text, const std::string& type_name) {
+  return sample::TypeModel(Builder(split(text, type_name)).message(short_name(type_name), 1));
 }
 
 }  // namespace scarab::log

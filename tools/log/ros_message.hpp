@@ -2,7 +2,7 @@
 
 #include <string>
 
-#include "common/bus/type_model.hpp"
+#include "common/sample/type_model.hpp"
 
 namespace scarab::log {
 
@@ -11,6 +11,6 @@ namespace scarab::log {
 /// all it is made of, each after a line of `=` and a line `MSG: package/Type`. Constants and
 /// default values are skipped. Throws bus::Error `line N: ...` for what is none, and for wide
 /// strings.
-bus::TypeModel parse_ros_message(const std::string& text, const std::string& type_name);
+sample::TypeModel parse_ros_message(const std::string& text, const std::string& type_name);
 
 }  // namespace scarab::log

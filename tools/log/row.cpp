@@ -2,11 +2,11 @@
 
 #include <algorithm>
 
-#include "common/bus/sample_json.hpp"
+#include "common/sample/sample_json.hpp"
 
 namespace scarab::log {
 
-Row::Row(const bus::TypeModel& type, const bus::ColumnOptions& options,
+Row::Row(const sample::TypeModel& type, const sample::ColumnOptions& options,
          const std::vector<std::size_t>& wanted)
     : type_(type), options_(options) {
   const std::size_t columns = lay_out(*type.type(), 0);
@@ -16,17 +16,17 @@ Row::Row(const bus::TypeModel& type, const bus::ColumnOptions& options,
 }
 
 /// The column after those of `type`, which begin at `column`.
-std::size_t Row::lay_out(const bus::Type& type, std::size_t column) {
-  const bus::Type& plain = bus::resolve(type);
-  if (const auto* structure = std::get_if<bus::StructType>(&plain.kind)) {
-    for (const bus::Member& member : structure->members) column = lay_out(*member.type, column);
+std::size_t Row::lay_out(const sample::Type& type, std::size_t column) {
+  const sample::Type& plain = sample::resolve(type);
+  if (const auto* structure = std::get_if<sample::StructType>(&plain.kind)) {
+    for (const sample::Member& member : structure->members) column = lay_out(*member.type, column);
     return column;
   }
-  if (const auto* array = std::get_if<bus::ArrayType>(&plain.kind)) {
+  if (const auto* array = std::get_if<sample::ArrayType>(&plain.kind)) {
     for (std::size_t i = 0; i < array->count(); ++i) column = lay_out(*array->element, column);
     return column;
   }
-  const auto* sequence = std::get_if<bus::SequenceType>(&plain.kind);
+  const auto* sequence = std::get_if<sample::SequenceType>(&plain.kind);
   if (sequence == nullptr) return column + 1;
   Slot slot{options_.sequence_elements, column + 1};
   if (sequence->bound != 0) slot.shown = std::min<std::size_t>(slot.shown, sequence->bound);
@@ -35,12 +35,12 @@ std::size_t Row::lay_out(const bus::Type& type, std::size_t column) {
   return slot.end;
 }
 
-const std::vector<std::string>& Row::read(bus::ByteView cdr) {
+const std::vector<std::string>& Row::read(sample::ByteView cdr) {
   for (std::string& cell : cells_) cell.clear();
   open_.clear();
   hidden_ = 0;
   column_ = 0;
-  bus::visit_sample(type_, cdr, *this);
+  sample::visit_sample(type_, cdr, *this);
   return cells_;
 }
 
@@ -51,7 +51,7 @@ bool Row::passes_over() {
          open_.back().element >= open_.back().slot.shown;
 }
 
-void Row::begin_struct(const bus::StructType&) {
+void Row::begin_struct(const sample::StructType&) {
   if (passes_over()) {
     ++hidden_;
   } else {
@@ -75,7 +75,7 @@ void Row::begin_list(std::size_t size, bool is_sequence) {
   open_.push_back(list);
 }
 
-void Row::scalar(const bus::Scalar& value) {
+void Row::scalar(const sample::Scalar& value) {
   if (hidden_ > 0) return;
   if (!passes_over()) put(value);
   if (!open_.empty()) ++open_.back().element;
@@ -92,7 +92,7 @@ void Row::leave() {
   if (hidden_ == 0 && !open_.empty()) ++open_.back().element;
 }
 
-void Row::put(const bus::Scalar& value) {
+void Row::put(const sample::Scalar& value) {
   if (wanted_[column_] != 0) append_plain(cells_[column_], value);
   ++column_;
 }

@@ -4,21 +4,21 @@
 #include <string>
 #include <vector>
 
-#include "common/bus/sample_columns.hpp"
+#include "common/sample/sample_columns.hpp"
 
 namespace scarab::log {
 
 /// Puts samples of one type into the cells of a table, with the columns of bus::column_names(): the
 /// values of bus::column_values(), without a tree in between and only where they are wanted.
-class Row : private bus::SampleVisitor {
+class Row : private sample::SampleVisitor {
  public:
   /// `wanted`: column numbers.
-  Row(const bus::TypeModel& type, const bus::ColumnOptions& options,
+  Row(const sample::TypeModel& type, const sample::ColumnOptions& options,
       const std::vector<std::size_t>& wanted);
 
   /// A cell for each column, filled where it is wanted; valid until the next call. Throws
   /// bus::Error as bus::visit_sample.
-  const std::vector<std::string>& read(bus::ByteView cdr);
+  const std::vector<std::string>& read(sample::ByteView cdr);
 
  private:
   /// The columns of a sequence.
@@ -33,21 +33,21 @@ class Row : private bus::SampleVisitor {
     std::size_t element = 0;  ///< the one that comes next
   };
 
-  std::size_t lay_out(const bus::Type& type, std::size_t column);
+  std::size_t lay_out(const sample::Type& type, std::size_t column);
 
-  void begin_struct(const bus::StructType& type) override;
+  void begin_struct(const sample::StructType& type) override;
   void member(const std::string& name) override;
   void end_struct() override { leave(); }
   void begin_list(std::size_t size, bool is_sequence) override;
   void end_list() override { leave(); }
-  void scalar(const bus::Scalar& value) override;
+  void scalar(const sample::Scalar& value) override;
 
   bool passes_over();
   void leave();
-  void put(const bus::Scalar& value);
+  void put(const sample::Scalar& value);
 
-  bus::TypeModel type_;
-  bus::ColumnOptions options_;
+  sample::TypeModel type_;
+  sample::ColumnOptions options_;
   std::map<std::size_t, Slot> slots_;  ///< by first column
   std::vector<char> wanted_;
   std::vector<std::string> cells_;

@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "common/bus/field_path.hpp"
-#include "common/bus/sample_json.hpp"
+#include "common/sample/field_path.hpp"
+#include "common/sample/sample_json.hpp"
 #include "services/logger/core/sample_header.hpp"
 #include "tools/log/topic_samples.hpp"
 
@@ -12,9 +12,9 @@ namespace scarab::log {
 namespace {
 
 using Found = std::optional<FieldDifference>;
-using Node = bus::SampleNode;
+using Node = sample::SampleNode;
 
-std::optional<double> number_of(const bus::Scalar& scalar) {
+std::optional<double> number_of(const sample::Scalar& scalar) {
   if (const auto* real = std::get_if<double>(&scalar)) return *real;
   if (const auto* real = std::get_if<float>(&scalar)) return static_cast<double>(*real);
   if (const auto* whole = std::get_if<std::int64_t>(&scalar)) return static_cast<double>(*whole);
@@ -36,8 +36,8 @@ class Walk {
   Found compare(const Node& a, const Node& b, const std::string& path) const {
     if (is_ignored(path)) return std::nullopt;
     if (a.value.index() != b.value.index()) return FieldDifference{path, json_of(a), json_of(b)};
-    if (const auto* scalar = std::get_if<bus::Scalar>(&a.value)) {
-      if (are_equal(*scalar, std::get<bus::Scalar>(b.value))) return std::nullopt;
+    if (const auto* scalar = std::get_if<sample::Scalar>(&a.value)) {
+      if (are_equal(*scalar, std::get<sample::Scalar>(b.value))) return std::nullopt;
       return FieldDifference{path, json_of(a), json_of(b)};
     }
     if (const auto* list = std::get_if<Node::List>(&a.value)) {
@@ -49,10 +49,10 @@ class Walk {
  private:
   bool is_ignored(const std::string& path) const {
     return std::any_of(lenience_.ignored.begin(), lenience_.ignored.end(),
-                       [&](const std::string& field) { return bus::has_column(field, path); });
+                       [&](const std::string& field) { return sample::has_column(field, path); });
   }
 
-  bool are_equal(const bus::Scalar& a, const bus::Scalar& b) const {
+  bool are_equal(const sample::Scalar& a, const sample::Scalar& b) const {
     std::string text_a;
     std::string text_b;
     append_plain(text_a, a);  // as short as reads back to the same: equal text is equal bits
@@ -111,7 +111,7 @@ FieldDifference differing_byte(mcap::ByteView a, mcap::ByteView b, bool have_hea
   return {"byte " + std::to_string(at), value(a), value(b)};
 }
 
-bus::ByteView view(mcap::ByteView bytes) {
+sample::ByteView view(mcap::ByteView bytes) {
   return {reinterpret_cast<const std::byte*>(bytes.data()), bytes.size()};
 }
 
@@ -136,8 +136,8 @@ SampleComparison::SampleComparison(const LogChannel* a, const LogChannel* b, Len
 Found SampleComparison::difference(mcap::ByteView a, mcap::ByteView b) const {
   if (equal_bytes(a, b, have_header_)) return std::nullopt;
   if (!type_a_) return differing_byte(a, b, have_header_);
-  auto found = Walk(lenience_).compare(bus::sample_tree(*type_a_, view(a)),
-                                       bus::sample_tree(*type_b_, view(b)), "");
+  auto found = Walk(lenience_).compare(sample::sample_tree(*type_a_, view(a)),
+                                       sample::sample_tree(*type_b_, view(b)), "");
   if (found) return found;
   // Another byte order or representation says the same in other bytes.
   constexpr std::size_t kRepresentation = 2;

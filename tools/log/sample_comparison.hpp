@@ -38,8 +38,8 @@ class SampleComparison {
   std::optional<FieldDifference> difference(mcap::ByteView a, mcap::ByteView b) const;
 
  private:
-  std::optional<bus::TypeModel> type_a_;
-  std::optional<bus::TypeModel> type_b_;
+  std::optional<sample::TypeModel> type_a_;
+  std::optional<sample::TypeModel> type_b_;
   bool have_header_ = false;
   Lenience lenience_;
 };

@@ -13,8 +13,8 @@ std::string misfit(const LogChannel& channel, const SelectionOptions& options) {
   if (needs_type && !channel.type) return channel.no_type;
   if (options.trial && !channel.has_header) return "its samples have no header, so no trial";
   try {
-    if (!options.filter.empty()) bus::SampleFilter(*channel.type, options.filter);
-    for (const std::string& field : options.fields) bus::FieldPath(*channel.type, field);
+    if (!options.filter.empty()) sample::SampleFilter(*channel.type, options.filter);
+    for (const std::string& field : options.fields) sample::FieldPath(*channel.type, field);
   } catch (const bus::Error& error) {
     return error.what();
   }
@@ -72,8 +72,8 @@ bool Selection::takes(const LogChannel& channel, const mcap::Message& message) c
   return query != nullptr && (!query->filter || query->filter->matches(cdr_of(message)));
 }
 
-const std::vector<bus::FieldPath>& Selection::fields(const LogChannel& channel) const {
-  static const std::vector<bus::FieldPath> kAll;
+const std::vector<sample::FieldPath>& Selection::fields(const LogChannel& channel) const {
+  static const std::vector<sample::FieldPath> kAll;
   const Query* query = query_of(channel);
   return query == nullptr ? kAll : query->fields;
 }

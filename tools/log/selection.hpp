@@ -7,8 +7,8 @@
 #include <string>
 #include <vector>
 
-#include "common/bus/field_path.hpp"
-#include "common/bus/sample_filter.hpp"
+#include "common/sample/field_path.hpp"
+#include "common/sample/sample_filter.hpp"
 #include "tools/log/log.hpp"
 
 namespace scarab::log {
@@ -34,12 +34,12 @@ class Selection {
   /// Throws bus::Error where the filter needs to read bytes that are no sample.
   bool takes(const LogChannel& channel, const mcap::Message& message) const;
   /// The parts asked for of this channel's samples; empty: all of them.
-  const std::vector<bus::FieldPath>& fields(const LogChannel& channel) const;
+  const std::vector<sample::FieldPath>& fields(const LogChannel& channel) const;
 
  private:
   struct Query {
-    std::optional<bus::SampleFilter> filter;
-    std::vector<bus::FieldPath> fields;
+    std::optional<sample::SampleFilter> filter;
+    std::vector<sample::FieldPath> fields;
   };
 
   const Query* query_of(const LogChannel& channel) const;

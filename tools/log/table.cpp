@@ -2,8 +2,8 @@
 
 #include <stdexcept>
 
-#include "common/bus/sample_columns.hpp"
-#include "common/bus/sample_json.hpp"
+#include "common/sample/sample_columns.hpp"
+#include "common/sample/sample_json.hpp"
 #include "tools/log/row.hpp"
 
 namespace scarab::log {
@@ -32,7 +32,7 @@ std::vector<std::size_t> select(const std::vector<std::string>& columns,
   for (const std::string& field : fields) {
     const std::size_t before = selected.size();
     for (std::size_t i = 0; i < columns.size(); ++i) {
-      if (bus::has_column(field, columns[i])) selected.push_back(i);
+      if (sample::has_column(field, columns[i])) selected.push_back(i);
     }
     if (selected.size() == before) {
       std::string known;
@@ -76,15 +76,15 @@ void for_each_taken(const Log& log, const Selection& selection, const TableOptio
       {options.topic});
 }
 
-void append_object(std::string& line, const bus::TypeModel& type,
-                   const std::vector<bus::FieldPath>& fields, bool times,
+void append_object(std::string& line, const sample::TypeModel& type,
+                   const std::vector<sample::FieldPath>& fields, bool times,
                    const mcap::Message& message) {
   const std::size_t begin = line.size();
   if (fields.empty()) {
     append_json(line, type, cdr_of(message));
   } else {
     line += '{';
-    append_fields(line, fields, bus::sample_tree(type, cdr_of(message)));
+    append_fields(line, fields, sample::sample_tree(type, cdr_of(message)));
     line += '}';
   }
   if (!times) return;
@@ -97,9 +97,9 @@ void append_object(std::string& line, const bus::TypeModel& type,
 
 void write_csv(const Log& log, const Selection& selection, const TableOptions& options,
                std::ostream& out) {
-  const bus::TypeModel& type = require_type(log, options.topic);
-  const bus::ColumnOptions column_options{options.sequence_elements};
-  const auto names = bus::column_names(type, column_options);
+  const sample::TypeModel& type = require_type(log, options.topic);
+  const sample::ColumnOptions column_options{options.sequence_elements};
+  const auto names = sample::column_names(type, column_options);
   const auto selected = select(names, options.fields);
   Row row(type, column_options, selected);
   std::vector<std::string> front;
@@ -119,8 +119,8 @@ void write_csv(const Log& log, const Selection& selection, const TableOptions& o
 
 void write_json(const Log& log, const Selection& selection, const TableOptions& options,
                 std::ostream& out) {
-  const bus::TypeModel& type = require_type(log, options.topic);
-  std::vector<bus::FieldPath> fields;
+  const sample::TypeModel& type = require_type(log, options.topic);
+  std::vector<sample::FieldPath> fields;
   for (const std::string& field : options.fields) fields.emplace_back(type, field);
   std::string line;
   const char* begin = "[\n";

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "common/bus/sample_json.hpp"
+#include "common/sample/sample_json.hpp"
 
 namespace scarab::log {
 namespace {
@@ -17,10 +17,10 @@ logger::SampleHeader header_of(const LogChannel& channel, const mcap::Message& m
   return *header;
 }
 
-std::vector<bus::FieldPath> key_of(const LogChannel& channel) {
-  std::vector<bus::FieldPath> key;
+std::vector<sample::FieldPath> key_of(const LogChannel& channel) {
+  std::vector<sample::FieldPath> key;
   if (!channel.type) return key;
-  for (const bus::Member& member : channel.type->root().members) {
+  for (const sample::Member& member : channel.type->root().members) {
     if (member.key) key.emplace_back(*channel.type, member.name);
   }
   return key;
@@ -49,7 +49,7 @@ bool equal_bytes(mcap::ByteView a, mcap::ByteView b, bool have_header) {
 
 TopicSamples load_samples(const Log& log, const std::string& topic) {
   TopicSamples groups;
-  std::map<const LogChannel*, std::vector<bus::FieldPath>> keys;
+  std::map<const LogChannel*, std::vector<sample::FieldPath>> keys;
   for (const LogChannel* channel : log.channels(topic)) keys[channel] = key_of(*channel);
   bool have_header = false;
   log.for_each(
@@ -58,7 +58,7 @@ TopicSamples load_samples(const Log& log, const std::string& topic) {
         const auto& key = keys.at(&channel);
         std::string instance;
         if (!key.empty()) {
-          append_fields(instance, key, bus::sample_tree(*channel.type, cdr_of(message)));
+          append_fields(instance, key, sample::sample_tree(*channel.type, cdr_of(message)));
         }
         have_header = channel.has_header;
         groups[{header.trial, instance}].push_back(

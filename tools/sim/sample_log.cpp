@@ -1,7 +1,8 @@
 #include "tools/sim/sample_log.hpp"
 
-#include "common/bus/idl_text.hpp"
-#include "common/bus/type_model.hpp"
+#include "common/bus/topic_type.hpp"
+#include "common/sample/idl_text.hpp"
+#include "common/sample/type_model.hpp"
 
 namespace scarab::sim {
 
@@ -17,7 +18,7 @@ void SampleLog::close() {
 }
 
 void SampleLog::write_bytes(const std::string& topic, const dds_topic_descriptor_t& type,
-                            const bus::Bytes& bytes) {
+                            const sample::Bytes& bytes) {
   auto [entry, fresh] = channels_.try_emplace(topic);
   if (fresh) entry->second.id = add_channel(topic, type);
   mcap::Message message;
@@ -30,8 +31,8 @@ void SampleLog::write_bytes(const std::string& topic, const dds_topic_descriptor
 }
 
 std::uint16_t SampleLog::add_channel(const std::string& topic, const dds_topic_descriptor_t& type) {
-  const auto model = bus::TypeModel::from_descriptor(type);
-  const auto schema = writer_->add_schema(model.name(), "omgidl", bus::idl_text(model));
+  const auto model = bus::model_of(type);
+  const auto schema = writer_->add_schema(model.name(), "omgidl", sample::idl_text(model));
   return writer_->add_channel(schema, topic, "cdr");
 }
 

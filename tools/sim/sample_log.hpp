@@ -26,7 +26,7 @@ class SampleLog {
 
  private:
   void write_bytes(const std::string& topic, const dds_topic_descriptor_t& type,
-                   const bus::Bytes& bytes);
+                   const sample::Bytes& bytes);
   std::uint16_t add_channel(const std::string& topic, const dds_topic_descriptor_t& type);
 
   struct Channel {

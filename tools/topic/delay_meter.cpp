@@ -14,26 +14,27 @@ namespace {
 
 constexpr std::int64_t kSecond_ns = 1'000'000'000;
 
-std::int64_t whole_number(const std::optional<bus::Scalar>& value) {
+std::int64_t whole_number(const std::optional<sample::Scalar>& value) {
   if (!value) return 0;  // no element of a sequence: refused by begin()
   if (const auto* integer = std::get_if<std::int64_t>(&*value)) return *integer;
   return static_cast<std::int64_t>(std::get<std::uint64_t>(*value));
 }
 
-bool is_whole_number(const bus::FieldPath& path) {
-  const auto* primitive = std::get_if<bus::Primitive>(&bus::resolve(*path.type()).kind);
+bool is_whole_number(const sample::FieldPath& path) {
+  const auto* primitive = std::get_if<sample::Primitive>(&sample::resolve(*path.type()).kind);
   if (path.is_length() || primitive == nullptr) return false;
-  return *primitive != bus::Primitive::kBoolean && *primitive != bus::Primitive::kChar &&
-         *primitive != bus::Primitive::kFloat && *primitive != bus::Primitive::kDouble;
+  return *primitive != sample::Primitive::kBoolean && *primitive != sample::Primitive::kChar &&
+         *primitive != sample::Primitive::kFloat && *primitive != sample::Primitive::kDouble;
 }
 
 /// The path itself, or those of its seconds and nanoseconds.
-std::vector<bus::FieldPath> time_paths(const bus::TypeModel& model, const std::string& field) {
-  std::vector<bus::FieldPath> paths{{model, field}};
+std::vector<sample::FieldPath> time_paths(const sample::TypeModel& model,
+                                          const std::string& field) {
+  std::vector<sample::FieldPath> paths{{model, field}};
   if (!paths[0].is_scalar()) {
     paths = {{model, field + ".sec"}, {model, field + ".nanosec"}};
   }
-  for (const bus::FieldPath& path : paths) {
+  for (const sample::FieldPath& path : paths) {
     if (!is_whole_number(path)) throw bus::Error(path.text() + " is no whole number");
   }
   return paths;
@@ -62,13 +63,13 @@ void DelayMeter::Part::add(const Part& other) {
   delays_s.insert(delays_s.end(), other.delays_s.begin(), other.delays_s.end());
 }
 
-void DelayMeter::begin(const bus::TypeModel* model) {
+void DelayMeter::begin(const sample::TypeModel* model) {
   if (field_.empty()) return;
   if (model == nullptr) {
     throw Failure(kExitNoType, "--field " + field_ + ": the type is not understood");
   }
   refuse_bad_usage("--field", [&] {
-    values_ = std::make_unique<bus::FieldValues>(*model, time_paths(*model, field_));
+    values_ = std::make_unique<sample::FieldValues>(*model, time_paths(*model, field_));
   });
 }
 

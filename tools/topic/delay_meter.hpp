@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "common/bus/field_values.hpp"
+#include "common/sample/field_values.hpp"
 #include "tools/topic/meter.hpp"
 
 namespace scarab::topic {
@@ -16,7 +16,7 @@ class DelayMeter : public Meter {
   /// `sec` and `nanosec`; empty: the source time stamp that DDS sends along.
   explicit DelayMeter(std::string field) : field_(std::move(field)) {}
 
-  void begin(const bus::TypeModel* model) override;
+  void begin(const sample::TypeModel* model) override;
   void add(const bus::RawSample& sample) override;
   void end_second(double elapsed_s, std::size_t seconds) override;
   std::vector<Column> columns() const override;
@@ -33,7 +33,7 @@ class DelayMeter : public Meter {
   std::int64_t made_at_ns(const bus::RawSample& sample) const;
 
   std::string field_;
-  std::unique_ptr<bus::FieldValues> values_;  ///< one: ns; two: sec and nanosec; null: no field
+  std::unique_ptr<sample::FieldValues> values_;  ///< one: ns; two: sec and nanosec; null: no field
   Rolling<Part> parts_;
 };
 

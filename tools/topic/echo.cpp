@@ -2,8 +2,8 @@
 #include <memory>
 #include <optional>
 
-#include "common/bus/sample_filter.hpp"
 #include "common/runtime/program.hpp"
+#include "common/sample/sample_filter.hpp"
 #include "tools/topic/command_options.hpp"
 #include "tools/topic/commands.hpp"
 #include "tools/topic/failure.hpp"
@@ -27,12 +27,12 @@ struct EchoOptions {
 /// What is made of the options once the type is known.
 struct Echo {
   SamplePrinter printer;
-  std::optional<bus::SampleFilter> filter;
+  std::optional<sample::SampleFilter> filter;
 };
 
-Echo prepare(const bus::TypeModel& model, const EchoOptions& options) {
+Echo prepare(const sample::TypeModel& model, const EchoOptions& options) {
   std::optional<SamplePrinter> printer;
-  std::optional<bus::SampleFilter> filter;
+  std::optional<sample::SampleFilter> filter;
   refuse_bad_usage("--field", [&] { printer.emplace(model, options.print); });
   if (!options.filter.empty()) {
     refuse_bad_usage("--filter", [&] { filter.emplace(model, options.filter); });

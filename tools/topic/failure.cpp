@@ -1,8 +1,8 @@
 #include "tools/topic/failure.hpp"
 
-#include "common/bus/field_path.hpp"
 #include "common/config/suggestion.hpp"
 #include "common/runtime/program.hpp"
+#include "common/sample/field_path.hpp"
 
 namespace scarab::topic {
 
@@ -17,9 +17,9 @@ void refuse_bad_usage(const std::string& context, const std::function<void()>& r
   };
   try {
     read();
-  } catch (const bus::NoSuchMember& error) {
+  } catch (const sample::NoSuchMember& error) {
     throw refuse(error.what() + did_you_mean(error.name(), error.known()));
-  } catch (const bus::Error& error) {
+  } catch (const sample::Error& error) {
     throw refuse(error.what());
   }
 }

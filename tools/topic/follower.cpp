@@ -3,8 +3,9 @@
 #include <algorithm>
 #include <iostream>
 
-#include "common/bus/idl_text.hpp"
 #include "common/bus/raw_qos.hpp"
+#include "common/bus/topic_type.hpp"
+#include "common/sample/idl_text.hpp"
 #include "tools/topic/failure.hpp"
 
 namespace scarab::topic {
@@ -28,8 +29,8 @@ std::string qos_key(const DiscoveredEndpoint& writer) {
 
 FollowedType::FollowedType(const bus::TopicType& described) : descriptor(described) {
   try {
-    model = bus::TypeModel::from_descriptor(*described);
-    text = bus::idl_text(*model);
+    model = bus::model_of(*described);
+    text = sample::idl_text(*model);
   } catch (const bus::Error& error) {
     text = error.what();
   }
@@ -44,7 +45,7 @@ Follower::Follower(Session& session, const std::string& topic, Clock::time_point
   follow_new_writers();
 }
 
-const bus::TypeModel& Follower::model() const {
+const sample::TypeModel& Follower::model() const {
   if (!type_.model) throw Failure(kExitNoType, topic_ + ": " + type_.text);
   return *type_.model;
 }

@@ -10,7 +10,7 @@
 #include <vector>
 
 #include "common/bus/raw_reader.hpp"
-#include "common/bus/type_model.hpp"
+#include "common/sample/type_model.hpp"
 #include "tools/topic/session.hpp"
 
 namespace scarab::topic {
@@ -20,7 +20,8 @@ struct FollowedType {
   explicit FollowedType(const bus::TopicType& described);
 
   bus::TopicType descriptor;
-  std::optional<bus::TypeModel> model;  ///< nothing for a type with parts TypeModel does not know
+  std::optional<sample::TypeModel>
+      model;         ///< nothing for a type with parts TypeModel does not know
   std::string text;  ///< by which types are told apart: the IDL, or why there is no model
 };
 
@@ -38,7 +39,7 @@ class Follower {
 
   /// What it takes to decode the samples. Throws Failure (type unknown) for a type with parts that
   /// bus::TypeModel does not know; its samples can be counted all the same.
-  const bus::TypeModel& model() const;
+  const sample::TypeModel& model() const;
   const FollowedType& type() const { return type_; }
   /// How often the type has become another one: all writers had gone, and who came then writes a
   /// newer version.

@@ -3,6 +3,7 @@
 #include <CLI/CLI.hpp>
 #include <algorithm>
 
+#include "common/bus/topic_type.hpp"
 #include "common/runtime/program.hpp"
 #include "tools/topic/command_options.hpp"
 #include "tools/topic/follower.hpp"
@@ -38,7 +39,7 @@ bool heading_is_due(std::uint64_t line) {
   return line == 0 || (Output::is_terminal() && line % kLinesUnderHeading == 0);
 }
 
-const bus::TypeModel* model_of(const Follower& follower) {
+const sample::TypeModel* model_of(const Follower& follower) {
   return follower.type().model ? &*follower.type().model : nullptr;
 }
 

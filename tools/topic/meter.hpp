@@ -7,8 +7,8 @@
 #include <vector>
 
 #include "common/bus/raw_cdr.hpp"
-#include "common/bus/type_model.hpp"
 #include "common/runtime/options.hpp"
+#include "common/sample/type_model.hpp"
 
 namespace CLI {
 class App;
@@ -30,7 +30,7 @@ class Meter {
   virtual ~Meter() = default;
 
   /// The type is known now. Throws Failure for options that do not fit it.
-  virtual void begin(const bus::TypeModel* /*model: null where not understood*/) {}
+  virtual void begin(const sample::TypeModel* /*model: null where not understood*/) {}
   virtual void add(const bus::RawSample& sample) = 0;
   /// A second of `elapsed_s` is over; no more than `seconds` of them are to be remembered.
   virtual void end_second(double elapsed_s, std::size_t seconds) = 0;

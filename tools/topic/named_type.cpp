@@ -1,6 +1,7 @@
 #include "tools/topic/named_type.hpp"
 
 #include "common/bus/known_types.hpp"
+#include "common/bus/topic_type.hpp"
 #include "tools/topic/failure.hpp"
 
 namespace scarab::topic {
@@ -31,9 +32,9 @@ bus::TopicType find_named_type(Session& session, const std::string& name, Clock:
   throw Interrupted{};
 }
 
-bus::TypeModel understood(const bus::TopicType& type) {
+sample::TypeModel understood(const bus::TopicType& type) {
   try {
-    return bus::TypeModel::from_descriptor(*type);
+    return bus::model_of(*type);
   } catch (const bus::Error& error) {
     throw Failure(kExitNoType, error.what());
   }

@@ -2,7 +2,7 @@
 
 #include <string>
 
-#include "common/bus/type_model.hpp"
+#include "common/sample/type_model.hpp"
 #include "tools/topic/session.hpp"
 
 namespace scarab::topic {
@@ -13,6 +13,6 @@ bus::TopicType find_named_type(Session& session, const std::string& name, Clock:
 
 /// The model of a type. Throws Failure (type unknown) for one with parts that bus::TypeModel does
 /// not know.
-bus::TypeModel understood(const bus::TopicType& type);
+sample::TypeModel understood(const bus::TopicType& type);
 
 }  // namespace scarab::topic

@@ -25,7 +25,7 @@ struct PubOptions {
 /// A value, and what an error in it calls it.
 struct Source {
   std::string name;
-  bus::WrittenValue value;
+  sample::WrittenValue value;
 };
 
 /// Of the command line, or of a file; not of standard input.
@@ -112,7 +112,7 @@ std::uint64_t send_input(Session& session, Publication& publication, const PubOp
   const auto send = [&](const std::optional<std::string>& document) {
     if (!document) return true;
     const std::string name = "standard input, value " + std::to_string(sent + 1);
-    const bus::Bytes sample = publication.encode(name, read_value(name, *document));
+    const sample::Bytes sample = publication.encode(name, read_value(name, *document));
     if (!pace.wait()) return false;
     publication.write(sample);
     ++sent;

@@ -1,5 +1,6 @@
 #include "tools/topic/publication.hpp"
 
+#include "common/bus/clock.hpp"
 #include "common/bus/topics.hpp"
 #include "common/runtime/peers.hpp"
 #include "common/runtime/program.hpp"
@@ -40,9 +41,10 @@ bus::TopicType Publication::find_type() {
   return session_.type_of(session_.wait_for_endpoints(options_.topic, end_));
 }
 
-bus::Bytes Publication::encode(const std::string& source, const bus::WrittenValue& value) const {
-  bus::Bytes out;
-  refuse_bad_usage(source, [&] { out = bus::build_cdr(model_, value); });
+sample::Bytes Publication::encode(const std::string& source,
+                                  const sample::WrittenValue& value) const {
+  sample::Bytes out;
+  refuse_bad_usage(source, [&] { out = sample::build_cdr(model_, value, bus::now_ns()); });
   return out;
 }
 
@@ -67,7 +69,7 @@ void Publication::open() {
   }
 }
 
-void Publication::write(const bus::Bytes& sample) { writer_->write(sample); }
+void Publication::write(const sample::Bytes& sample) { writer_->write(sample); }
 
 void Publication::finish() {
   if (writer_->await_acknowledged(options_.timeout)) return;

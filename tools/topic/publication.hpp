@@ -27,13 +27,13 @@ class Publication {
 
   /// The bytes of a value. Throws Failure (bad usage), naming `source`, for one that is none of the
   /// type.
-  bus::Bytes encode(const std::string& source, const bus::WrittenValue& value) const;
+  sample::Bytes encode(const std::string& source, const sample::WrittenValue& value) const;
 
   /// Makes the writer and waits until enough readers have matched. Throws Failure (timeout) saying
   /// who did not, and Interrupted.
   void open();
 
-  void write(const bus::Bytes& sample);
+  void write(const sample::Bytes& sample);
   /// Waits until all readers have what was written. Throws Failure (timeout).
   void finish();
 
@@ -46,7 +46,7 @@ class Publication {
   PublicationOptions options_;
   Clock::time_point end_;  ///< of the waiting for the topic and its readers
   bus::TopicType type_;
-  bus::TypeModel model_;
+  sample::TypeModel model_;
   std::optional<bus::RawWriter> writer_;
 };
 

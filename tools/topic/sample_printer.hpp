@@ -4,9 +4,9 @@
 #include <string>
 #include <vector>
 
-#include "common/bus/field_path.hpp"
 #include "common/bus/raw_cdr.hpp"
-#include "common/bus/type_model.hpp"
+#include "common/sample/field_path.hpp"
+#include "common/sample/type_model.hpp"
 
 namespace scarab::topic {
 
@@ -25,24 +25,24 @@ struct PrintOptions {
 class SamplePrinter {
  public:
   /// Throws bus::NoSuchMember and bus::Error for fields the type does not have.
-  SamplePrinter(const bus::TypeModel& model, const PrintOptions& options);
+  SamplePrinter(const sample::TypeModel& model, const PrintOptions& options);
 
   /// What stands before the first sample: the names of the columns.
   const std::string& heading() const { return heading_; }
 
   /// Appends a sample. Throws bus::Error for bytes that are none.
-  void append(bus::ByteView cdr, std::string& out) const;
+  void append(sample::ByteView cdr, std::string& out) const;
 
  private:
-  void append_fields(bus::ByteView cdr, std::string& out) const;
+  void append_fields(sample::ByteView cdr, std::string& out) const;
   /// `alone`: on a line without its name; YAML then has text as it is, without quotes.
-  void append_field(const bus::FieldPath& field, const bus::SampleNode& sample, bool alone,
+  void append_field(const sample::FieldPath& field, const sample::SampleNode& sample, bool alone,
                     std::string& out) const;
-  void append_row(bus::ByteView cdr, std::string& out) const;
+  void append_row(sample::ByteView cdr, std::string& out) const;
 
-  bus::TypeModel model_;
+  sample::TypeModel model_;
   PrintOptions options_;
-  std::vector<bus::FieldPath> fields_;
+  std::vector<sample::FieldPath> fields_;
   std::vector<std::size_t> columns_;  ///< kCsv: those to print, in their order
   std::string heading_;
 };

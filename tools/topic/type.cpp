@@ -1,9 +1,10 @@
 #include <CLI/CLI.hpp>
 #include <memory>
 
-#include "common/bus/idl_text.hpp"
 #include "common/bus/known_types.hpp"
+#include "common/bus/topic_type.hpp"
 #include "common/runtime/program.hpp"
+#include "common/sample/idl_text.hpp"
 #include "tools/topic/command_options.hpp"
 #include "tools/topic/commands.hpp"
 #include "tools/topic/failure.hpp"
@@ -22,9 +23,9 @@ struct TypeOptions {
 };
 
 /// Of the topic, or by name; of the project's own types without a look at the domain.
-bus::TypeModel model_of(const runtime::BusOptions& bus_options, const TypeOptions& options) {
+sample::TypeModel model_of(const runtime::BusOptions& bus_options, const TypeOptions& options) {
   if (const auto* known = bus::find_known_type(options.name)) {
-    return bus::TypeModel::from_descriptor(*known);
+    return bus::model_of(*known);
   }
   Session session(bus_options);
   const auto end = after(milliseconds(options.timeout_s));
@@ -71,7 +72,7 @@ void add_type(CLI::App& app, Choice& choice) {
   command.callback([&choice, options] {
     require_one(*options);
     choice.run = [&choice, options] {
-      print(bus::idl_text(model_of(choice.bus, *options)));
+      print(sample::idl_text(model_of(choice.bus, *options)));
       return runtime::kExitSuccess;
     };
   });

@@ -7,10 +7,10 @@
 namespace scarab::topic {
 namespace {
 
-bus::WrittenValue written(const config::Value& value) {
+sample::WrittenValue written(const config::Value& value) {
   using From = config::Value::Kind;
-  using To = bus::WrittenValue::Kind;
-  bus::WrittenValue out;
+  using To = sample::WrittenValue::Kind;
+  sample::WrittenValue out;
   out.kind = value.kind == From::kScalar ? To::kText
              : value.kind == From::kList ? To::kList
              : value.kind == From::kMap  ? To::kMap
@@ -33,7 +33,7 @@ bool ends_document(std::string_view line) {
 
 }  // namespace
 
-bus::WrittenValue read_value(const std::string& source, const std::string& text) {
+sample::WrittenValue read_value(const std::string& source, const std::string& text) {
   return written(config::parse_text(source, text).root);
 }
 

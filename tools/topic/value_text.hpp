@@ -4,12 +4,12 @@
 #include <string>
 #include <string_view>
 
-#include "common/bus/cdr_builder.hpp"
+#include "common/sample/cdr_builder.hpp"
 
 namespace scarab::topic {
 
 /// Reads one YAML or JSON document. Throws config::Error naming `source`, line, column and reason.
-bus::WrittenValue read_value(const std::string& source, const std::string& text);
+sample::WrittenValue read_value(const std::string& source, const std::string& text);
 
 /// Takes a stream of documents apart: YAML documents, each ended by `---`, `...` or the end of the
 /// stream, and JSON, each from its first bracket to the matching one.

@@ -4,8 +4,8 @@
 #include <memory>
 #include <optional>
 
-#include "common/bus/sample_filter.hpp"
 #include "common/runtime/program.hpp"
+#include "common/sample/sample_filter.hpp"
 #include "tools/topic/arrival_rate.hpp"
 #include "tools/topic/command_options.hpp"
 #include "tools/topic/commands.hpp"
@@ -57,7 +57,7 @@ int wait(const runtime::BusOptions& bus_options, const WaitOptions& options) {
       options.timeout_s ? after(milliseconds(*options.timeout_s)) : Clock::time_point::max();
   // Arrivals make a rate, not what was kept.
   Follower follower(session, options.topic, end, {!options.hz});
-  std::optional<bus::SampleFilter> filter;
+  std::optional<sample::SampleFilter> filter;
   if (!options.filter.empty()) {
     refuse_bad_usage("--filter", [&] { filter.emplace(follower.model(), options.filter); });
   }

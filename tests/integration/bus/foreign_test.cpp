@@ -2,11 +2,12 @@
 #include <foreign.h>
 #include <gmock/gmock.h>
 
-#include "common/bus/idl_text.hpp"
 #include "common/bus/raw_reader.hpp"
-#include "common/bus/sample_columns.hpp"
-#include "common/bus/sample_text.hpp"
+#include "common/bus/topic_type.hpp"
 #include "common/bus/waitset.hpp"
+#include "common/sample/idl_text.hpp"
+#include "common/sample/sample_columns.hpp"
+#include "common/sample/sample_text.hpp"
 #include "tests/integration/bus/fixture.hpp"
 
 namespace scarab::bus {
@@ -78,9 +79,9 @@ TEST_F(Foreign, ATypeNobodyKnowsIsReadAndPrinted) {
   const DiscoveredEndpoint found = discover("somebody/topic");
   EXPECT_EQ(found.type, "somebody::inner::Everything");
   const TopicType type = discovery.type_of(found, seconds(10));
-  const TypeModel model = TypeModel::from_descriptor(*type);
-  const TypeModel compiled = TypeModel::from_descriptor(somebody_inner_Everything_desc);
-  EXPECT_EQ(idl_text(model), idl_text(compiled));
+  const sample::TypeModel model = bus::model_of(*type);
+  const sample::TypeModel compiled = bus::model_of(somebody_inner_Everything_desc);
+  EXPECT_EQ(sample::idl_text(model), sample::idl_text(compiled));
 
   RawReader reader(logger, {found}, type);
   WaitSet waitset(logger);
@@ -91,8 +92,8 @@ TEST_F(Foreign, ATypeNobodyKnowsIsReadAndPrinted) {
   std::string json;
   std::vector<std::string> values;
   reader.take([&](const RawSample& raw) {
-    json = json_text(model, raw.cdr);
-    values = column_values(model, raw.cdr);
+    json = sample::json_text(model, raw.cdr);
+    values = sample::column_values(model, raw.cdr);
   });
   EXPECT_EQ(json,
             R"({"id": -3, "flag": true, "raw": 200, "letter": "x", "small": -2, "usmall": 0, )"
@@ -101,7 +102,7 @@ TEST_F(Foreign, ATypeNobodyKnowsIsReadAndPrinted) {
             R"("name": "hello", "tag": "T", "words": [], "path": [], )"
             R"("corners": [{"x": 0, "y": 0}, {"x": 0, "y": 2.5}], "palette": [], )"
             R"("numbers": [0.5, 1e+300]})");
-  EXPECT_EQ(values.size(), column_names(model).size());
+  EXPECT_EQ(values.size(), sample::column_names(model).size());
 }
 
 TEST_F(Foreign, AnEndpointThatGoesLeavesTheList) {

@@ -117,7 +117,7 @@ class LoggerTest : public testing::Test {
   template <class T>
   void write(bus::Writer<T>& writer, const T& sample) {
     writer.write(sample);
-    const bus::Bytes bytes = bus::encode(sample);
+    const sample::Bytes bytes = bus::encode(sample);
     sent_[writer.topic()].push_back(mcap::copy_of({bytes.data(), bytes.size()}));
   }
 

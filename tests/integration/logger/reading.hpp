@@ -19,7 +19,7 @@ inline std::array<std::uint8_t, sizeof(meadow_Reading::noise)> noise_of(std::uin
 }
 
 /// A reading of this moment, as bytes.
-inline bus::Bytes encode_reading(std::uint32_t number) {
+inline sample::Bytes encode_reading(std::uint32_t number) {
   meadow_Reading reading{number, bus::now_ns(), {}};
   const auto noise = noise_of(number);
   std::copy(noise.begin(), noise.end(), std::begin(reading.noise));

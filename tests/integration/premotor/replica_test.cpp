@@ -20,7 +20,7 @@ class PremotorReplica : public testing::Test {
   void expect_equal_answers(std::uint32_t tick) {
     ASSERT_TRUE(eventually([&] { return stand_ins_.answers().count(1, tick) == 2; }))
         << "tick " << tick;
-    std::vector<bus::Bytes> bytes;
+    std::vector<sample::Bytes> bytes;
     for (const auto& answer : stand_ins_.answers().all()) {
       if (answer.header.tick == tick) bytes.push_back(timeless_bytes(answer));
     }

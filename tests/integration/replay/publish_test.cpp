@@ -37,7 +37,7 @@ class Publish : public ReplayTest {
     for (std::uint32_t i = 0; i < count; ++i) {
       auto sample = log::test::behaviour(1, i, 1000 + i);
       sample.backbone_rad = i;
-      const bus::Bytes cdr = bus::encode(sample);
+      const sample::Bytes cdr = bus::encode(sample);
       log.write_at(bus::kBehaviour, kBegin + i * kPeriod, {cdr.data(), cdr.size()});
     }
     log.close();

@@ -40,9 +40,9 @@ class StandIns {
     return answers().await(trial, tick);
   }
   /// The bytes of all answers of ticks first..last, each asked for.
-  std::vector<bus::Bytes> consult_all(std::uint32_t trial, std::uint32_t first,
-                                      std::uint32_t last) {
-    std::vector<bus::Bytes> bytes;
+  std::vector<sample::Bytes> consult_all(std::uint32_t trial, std::uint32_t first,
+                                         std::uint32_t last) {
+    std::vector<sample::Bytes> bytes;
     for (std::uint32_t tick = first; tick <= last; ++tick) {
       const auto answer = consult(trial, tick);
       if (!answer) break;

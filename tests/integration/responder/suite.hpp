@@ -26,7 +26,7 @@ class Responder : public testing::Test {
     return child;
   }
   /// The bytes of its answers to ticks 0..last if nothing disturbs it.
-  std::vector<bus::Bytes> undisturbed(std::uint32_t trial, std::uint32_t last) {
+  std::vector<sample::Bytes> undisturbed(std::uint32_t trial, std::uint32_t last) {
     const TemporaryDirectory run_dir;
     auto child = start({Service::kName, Service::kExpect, run_dir.path(), 0, {}});
     stand_ins_.tell_trial(trial);

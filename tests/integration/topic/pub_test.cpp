@@ -4,7 +4,8 @@
 #include "common/bus/known_types.hpp"
 #include "common/bus/raw_reader.hpp"
 #include "common/bus/reader.hpp"
-#include "common/bus/sample_text.hpp"
+#include "common/bus/topic_type.hpp"
+#include "common/sample/sample_text.hpp"
 #include "tests/integration/topic/topic_tool.hpp"
 #include "tests/integration/types/sample_filler.hpp"
 #include "tests/ros_idl/ros_types.hpp"
@@ -15,8 +16,8 @@ namespace {
 using testing::HasSubstr;
 using testing::StartsWith;
 
-std::string json_of(const dds_topic_descriptor_t& type, const bus::Bytes& cdr) {
-  return bus::json_text(bus::TypeModel::from_descriptor(type), cdr);
+std::string json_of(const dds_topic_descriptor_t& type, const sample::Bytes& cdr) {
+  return sample::json_text(bus::model_of(type), cdr);
 }
 
 struct Pub : TopicTool {

@@ -1,4 +1,5 @@
-#include "common/bus/idl_text.hpp"
+#include "common/bus/topic_type.hpp"
+#include "common/sample/idl_text.hpp"
 #include "tests/integration/topic/topic_tool.hpp"
 
 namespace scarab::test {
@@ -11,7 +12,7 @@ using testing::StartsWith;
 using Type = TopicTool;
 
 std::string idl_of(const dds_topic_descriptor_t& type) {
-  return bus::idl_text(bus::TypeModel::from_descriptor(type));
+  return sample::idl_text(bus::model_of(type));
 }
 
 TEST_F(Type, PrintsTheIdlOfATopic) {

@@ -35,7 +35,7 @@ class AnyReader : public bus::ReaderEndpoint {
 };
 
 struct Taken {
-  bus::Bytes cdr;
+  sample::Bytes cdr;
   std::int64_t source_ns = 0;
 };
 

@@ -4,11 +4,12 @@
 #include "common/bus/discovery.hpp"
 #include "common/bus/domain_config.hpp"
 #include "common/bus/dynamic_sample.hpp"
-#include "common/bus/idl_parser.hpp"
-#include "common/bus/idl_text.hpp"
 #include "common/bus/raw_reader.hpp"
-#include "common/bus/sample_text.hpp"
-#include "common/bus/sample_tree.hpp"
+#include "common/bus/topic_type.hpp"
+#include "common/sample/idl_parser.hpp"
+#include "common/sample/idl_text.hpp"
+#include "common/sample/sample_text.hpp"
+#include "common/sample/sample_tree.hpp"
 #include "tests/integration/types/any_endpoint.hpp"
 #include "tests/support/child_process.hpp"
 #include "tests/support/files.hpp"
@@ -54,10 +55,10 @@ struct Ddsperf : testing::TestWithParam<Published> {
   }
 
   /// Samples of a topic, each decoded and encoded again on the way.
-  std::vector<bus::Bytes> take(const bus::DiscoveredEndpoint& writer, const bus::TopicType& type,
-                               std::size_t count) {
+  std::vector<sample::Bytes> take(const bus::DiscoveredEndpoint& writer, const bus::TopicType& type,
+                                  std::size_t count) {
     bus::RawReader reader(typeless, {writer}, type);
-    std::vector<bus::Bytes> out;
+    std::vector<sample::Bytes> out;
     for (Taken& taken : take_some(reader, count)) {
       EXPECT_EQ(bus::encode_sample(*type, bus::DynamicSample(type, taken.cdr).get()), taken.cdr);
       out.push_back(std::move(taken.cdr));
@@ -66,9 +67,9 @@ struct Ddsperf : testing::TestWithParam<Published> {
   }
 };
 
-std::uint64_t member(const bus::SampleNode& sample, const std::string& name) {
-  for (const auto& [key, node] : std::get<bus::SampleNode::Struct>(sample.value)) {
-    if (key == name) return std::get<std::uint64_t>(std::get<bus::Scalar>(node.value));
+std::uint64_t member(const sample::SampleNode& sample, const std::string& name) {
+  for (const auto& [key, node] : std::get<sample::SampleNode::Struct>(sample.value)) {
+    if (key == name) return std::get<std::uint64_t>(std::get<sample::Scalar>(node.value));
   }
   throw std::out_of_range(name);
 }
@@ -77,15 +78,15 @@ TEST_P(Ddsperf, PublishesWhatTypelessToolsRead) {
   const bus::DiscoveredEndpoint writer = writer_on("DDSPerfRData");
   EXPECT_EQ(writer.type, GetParam().type);
   const bus::TopicType type = discovery.type_of(writer, seconds(10));
-  const bus::TypeModel model = bus::TypeModel::from_descriptor(*type);
+  const sample::TypeModel model = bus::model_of(*type);
   EXPECT_EQ(model.root().members.size(), GetParam().members);
-  const bus::TypeModel parsed = bus::parse_idl(bus::idl_text(model), model.name());
-  const std::vector<bus::Bytes> samples = take(writer, type, 3);
+  const sample::TypeModel parsed = sample::parse_idl(sample::idl_text(model), model.name());
+  const std::vector<sample::Bytes> samples = take(writer, type, 3);
   ASSERT_GE(samples.size(), 3U);
-  std::uint64_t last = member(bus::sample_tree(model, samples[0]), "seq");
+  std::uint64_t last = member(sample::sample_tree(model, samples[0]), "seq");
   for (std::size_t i = 1; i < samples.size(); ++i) {
-    EXPECT_EQ(member(bus::sample_tree(model, samples[i]), "seq"), ++last);
-    EXPECT_EQ(bus::json_text(parsed, samples[i]), bus::json_text(model, samples[i]));
+    EXPECT_EQ(member(sample::sample_tree(model, samples[i]), "seq"), ++last);
+    EXPECT_EQ(sample::json_text(parsed, samples[i]), sample::json_text(model, samples[i]));
   }
 }
 
@@ -103,9 +104,9 @@ struct DdsperfItself : Ddsperf {};
 TEST_P(DdsperfItself, TellsOfItsLoad) {
   const bus::DiscoveredEndpoint writer = writer_on("DDSPerfCPUStats");
   const bus::TopicType type = discovery.type_of(writer, seconds(10));
-  const std::vector<bus::Bytes> samples = take(writer, type, 1);
+  const std::vector<sample::Bytes> samples = take(writer, type, 1);
   ASSERT_GE(samples.size(), 1U);
-  const std::string json = bus::json_text(bus::TypeModel::from_descriptor(*type), samples[0]);
+  const std::string json = sample::json_text(bus::model_of(*type), samples[0]);
   // How many threads it lists depends on their load.
   EXPECT_THAT(json, AllOf(HasSubstr("\"hostname\": \""),
                           HasSubstr("\"pid\": " + std::to_string(program.pid()) + ","),

@@ -7,9 +7,10 @@
 #include "common/bus/known_types.hpp"
 #include "common/bus/raw_reader.hpp"
 #include "common/bus/raw_writer.hpp"
-#include "common/bus/sample_text.hpp"
 #include "common/bus/stored_type.hpp"
-#include "common/bus/type_model.hpp"
+#include "common/bus/topic_type.hpp"
+#include "common/sample/sample_text.hpp"
+#include "common/sample/type_model.hpp"
 #include "tests/integration/types/any_endpoint.hpp"
 #include "tests/integration/types/sample_filler.hpp"
 #include "tests/support/test_bus.hpp"
@@ -32,8 +33,7 @@ struct Undecodable : testing::TestWithParam<Limit> {};
 
 TEST_P(Undecodable, IsAnErrorThatNamesTheConstruct) {
   const dds_topic_descriptor_t& type = *GetParam().type;
-  EXPECT_THAT([&] { bus::TypeModel::from_descriptor(type); },
-              ThrowsMessage<bus::Error>(StrEq(GetParam().error)));
+  EXPECT_THAT([&] { bus::model_of(type); }, ThrowsMessage<bus::Error>(StrEq(GetParam().error)));
 }
 
 const Limit kLimits[] = {
@@ -100,7 +100,7 @@ TEST_F(Unusual, SilentWriterOfAKnownTypeIsRead) {
     writer.write(sample.get());
     const std::vector<Taken> taken = take_some(reader, 1);
     ASSERT_EQ(taken.size(), 1U);
-    EXPECT_EQ(bus::json_text(bus::TypeModel::from_descriptor(*type), taken[0].cdr), sample.json());
+    EXPECT_EQ(sample::json_text(bus::model_of(*type), taken[0].cdr), sample.json());
   }
 }
 

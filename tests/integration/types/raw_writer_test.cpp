@@ -28,7 +28,7 @@ struct RawWriter : testing::Test {
   bus::Participant plant{test_options("plant")};
   bus::TopicType type = bus::borrow_compiled(wire_Single_desc);
 
-  static bus::Bytes single() {
+  static sample::Bytes single() {
     const FilledSample sample(wire_Single_desc);
     return bus::encode_sample(wire_Single_desc, sample.get());
   }
@@ -37,27 +37,27 @@ struct RawWriter : testing::Test {
 /// Bytes of a Single that are wrong in one way.
 struct Broken {
   const char* name;
-  void (*breaks)(bus::Bytes& cdr);
+  void (*breaks)(sample::Bytes& cdr);
 };
 void PrintTo(const Broken& broken, std::ostream* out) { *out << broken.name; }
 
 // header 0, id 4, paint 8, flag 12, length of tag 16, tag 20, length of few 24, few 28 and 30
 const Broken kBroken[] = {
-    {"Empty", [](bus::Bytes& cdr) { cdr.clear(); }},
-    {"OnlyHeader", [](bus::Bytes& cdr) { cdr.resize(4); }},
-    {"HalfHeader", [](bus::Bytes& cdr) { cdr.resize(3); }},
-    {"CutInTheMiddle", [](bus::Bytes& cdr) { cdr.resize(16); }},
-    {"CutAtTheEnd", [](bus::Bytes& cdr) { cdr.resize(30); }},
-    {"ParameterList", [](bus::Bytes& cdr) { cdr[1] = std::byte{3}; }},
-    {"NoCdrAtAll", [](bus::Bytes& cdr) { cdr[0] = std::byte{0x42}; }},
-    {"OtherByteOrder", [](bus::Bytes& cdr) { cdr[1] = std::byte{0}; }},
-    {"EnumBeyondItsLast", [](bus::Bytes& cdr) { cdr[8] = std::byte{99}; }},
-    {"NegativeEnum", [](bus::Bytes& cdr) { cdr[11] = std::byte{0xFF}; }},
-    {"FlagOfTwo", [](bus::Bytes& cdr) { cdr[12] = std::byte{2}; }},
-    {"TextBeyondItsBound", [](bus::Bytes& cdr) { cdr[16] = std::byte{9}; }},
-    {"TextWithoutEnd", [](bus::Bytes& cdr) { cdr[23] = std::byte{'x'}; }},
-    {"SequenceBeyondItsBound", [](bus::Bytes& cdr) { cdr[24] = std::byte{3}; }},
-    {"SequenceBeyondTheBytes", [](bus::Bytes& cdr) { cdr[27] = std::byte{0x10}; }},
+    {"Empty", [](sample::Bytes& cdr) { cdr.clear(); }},
+    {"OnlyHeader", [](sample::Bytes& cdr) { cdr.resize(4); }},
+    {"HalfHeader", [](sample::Bytes& cdr) { cdr.resize(3); }},
+    {"CutInTheMiddle", [](sample::Bytes& cdr) { cdr.resize(16); }},
+    {"CutAtTheEnd", [](sample::Bytes& cdr) { cdr.resize(30); }},
+    {"ParameterList", [](sample::Bytes& cdr) { cdr[1] = std::byte{3}; }},
+    {"NoCdrAtAll", [](sample::Bytes& cdr) { cdr[0] = std::byte{0x42}; }},
+    {"OtherByteOrder", [](sample::Bytes& cdr) { cdr[1] = std::byte{0}; }},
+    {"EnumBeyondItsLast", [](sample::Bytes& cdr) { cdr[8] = std::byte{99}; }},
+    {"NegativeEnum", [](sample::Bytes& cdr) { cdr[11] = std::byte{0xFF}; }},
+    {"FlagOfTwo", [](sample::Bytes& cdr) { cdr[12] = std::byte{2}; }},
+    {"TextBeyondItsBound", [](sample::Bytes& cdr) { cdr[16] = std::byte{9}; }},
+    {"TextWithoutEnd", [](sample::Bytes& cdr) { cdr[23] = std::byte{'x'}; }},
+    {"SequenceBeyondItsBound", [](sample::Bytes& cdr) { cdr[24] = std::byte{3}; }},
+    {"SequenceBeyondTheBytes", [](sample::Bytes& cdr) { cdr[27] = std::byte{0x10}; }},
 };
 
 struct BrokenBytes : RawWriter, testing::WithParamInterface<Broken> {};
@@ -65,7 +65,7 @@ struct BrokenBytes : RawWriter, testing::WithParamInterface<Broken> {};
 TEST_P(BrokenBytes, AreRefusedBeforeTheWire) {
   bus::RawWriter writer(replay, kTopic, type, kept());
   AnyReader reader(plant, kTopic, wire_Single_desc);
-  bus::Bytes cdr = single();
+  sample::Bytes cdr = single();
   ASSERT_EQ(cdr.size(), 32U);
   GetParam().breaks(cdr);
   EXPECT_THAT([&] { writer.write(cdr); },
@@ -81,10 +81,10 @@ INSTANTIATE_TEST_SUITE_P(, BrokenBytes, testing::ValuesIn(kBroken),
 
 TEST_F(RawWriter, NeverCrashesAtFlippedBytes) {
   bus::RawWriter writer(replay, kTopic, type, {});
-  const bus::Bytes good = single();
+  const sample::Bytes good = single();
   std::size_t refused = 0;
   for (std::size_t bit = 0; bit < good.size() * 8; ++bit) {
-    bus::Bytes cdr = good;
+    sample::Bytes cdr = good;
     cdr[bit / 8] ^= static_cast<std::byte>(1U << bit % 8);
     try {
       writer.write(cdr);

@@ -4,12 +4,13 @@
 #include <cstring>
 
 #include "common/bus/c_layout.hpp"
+#include "common/bus/topic_type.hpp"
 
 namespace scarab::test {
 
 namespace {
 
-using namespace bus;  // NOLINT: the types of the model, all of them
+using namespace sample;  // NOLINT: the types of the model, all of them
 
 /// Fills one value after the other and writes what it has filled in.
 class Filler {
@@ -81,7 +82,7 @@ class Filler {
 
   std::string operator()(const StructType& type) {
     std::byte* const first = at_;
-    const std::vector<std::size_t> offsets = member_offsets(type);
+    const std::vector<std::size_t> offsets = bus::member_offsets(type);
     std::string out;
     for (std::size_t i = 0; i < offsets.size(); ++i) {
       const Member& member = type.members[i];
@@ -98,7 +99,7 @@ class Filler {
 
   std::string operator()(const SequenceType& type) {
     const std::uint32_t size = type.bound == 1 ? 1 : 2;
-    const std::size_t stride = c_layout(*type.element).size;
+    const std::size_t stride = bus::c_layout(*type.element).size;
     auto* buffer = static_cast<std::uint8_t*>(dds_alloc(size * stride));
     store(dds_sequence_t{size, size, buffer, true});
     std::byte* next = reinterpret_cast<std::byte*>(buffer);
@@ -113,7 +114,7 @@ class Filler {
   std::string dimension(const ArrayType& type, std::size_t depth, std::byte*& next) {
     if (depth == type.dimensions.size()) {
       std::byte* const element = next;
-      next += c_layout(*type.element).size;
+      next += bus::c_layout(*type.element).size;
       return fill(*type.element, element);
     }
     return list(type.dimensions[depth], [&] { return dimension(type, depth + 1, next); });
@@ -144,7 +145,7 @@ class Filler {
 
 FilledSample::FilledSample(const dds_topic_descriptor_t& type)
     : type_(type), memory_(dds_alloc(type.m_size)) {
-  const TypeModel model = TypeModel::from_descriptor(type);
+  const TypeModel model = bus::model_of(type);
   json_ = Filler().fill(*model.type(), static_cast<std::byte*>(memory_));
 }
 

@@ -3,7 +3,7 @@
 #include <string>
 
 #include "common/bus/topic_type.hpp"
-#include "common/bus/type_model.hpp"
+#include "common/sample/type_model.hpp"
 
 namespace scarab::test {
 

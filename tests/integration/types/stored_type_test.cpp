@@ -4,8 +4,9 @@
 #include <wire_types.h>
 
 #include "common/bus/error.hpp"
-#include "common/bus/idl_text.hpp"
-#include "common/bus/type_model.hpp"
+#include "common/bus/topic_type.hpp"
+#include "common/sample/idl_text.hpp"
+#include "common/sample/type_model.hpp"
 #include "tests/support/test_bus.hpp"
 
 namespace scarab::test {
@@ -24,8 +25,8 @@ TEST_F(StoredType, IsRestoredWhole) {
   EXPECT_STREQ(type->m_typename, "wire::Everything");
   EXPECT_EQ(type->m_size, wire_Everything_desc.m_size);
   EXPECT_EQ(type->m_nkeys, wire_Everything_desc.m_nkeys);
-  EXPECT_EQ(bus::idl_text(bus::TypeModel::from_descriptor(*type)),
-            bus::idl_text(bus::TypeModel::from_descriptor(wire_Everything_desc)));
+  EXPECT_EQ(sample::idl_text(bus::model_of(*type)),
+            sample::idl_text(bus::model_of(wire_Everything_desc)));
   const bus::StoredType again = bus::store_type(*type);
   EXPECT_EQ(again.name, stored.name);
   EXPECT_EQ(again.information.size(), stored.information.size());  // its parts in another order
@@ -73,7 +74,7 @@ TEST_F(StoredType, DamagedAnywhereIsAnErrorOrAType) {
       ++refused;
     }
   };
-  for (bus::Bytes bus::StoredType::*part :
+  for (sample::Bytes bus::StoredType::*part :
        {&bus::StoredType::information, &bus::StoredType::mapping}) {
     for (std::size_t i = 0; i < (stored.*part).size(); i += 3) {
       bus::StoredType damaged = stored;

@@ -5,16 +5,17 @@
 
 #include <algorithm>
 
-#include "common/bus/cdr_builder.hpp"
 #include "common/bus/discovery.hpp"
 #include "common/bus/dynamic_sample.hpp"
-#include "common/bus/idl_parser.hpp"
-#include "common/bus/idl_text.hpp"
 #include "common/bus/known_types.hpp"
 #include "common/bus/raw_reader.hpp"
 #include "common/bus/raw_writer.hpp"
-#include "common/bus/sample_text.hpp"
 #include "common/bus/stored_type.hpp"
+#include "common/bus/topic_type.hpp"
+#include "common/sample/cdr_builder.hpp"
+#include "common/sample/idl_parser.hpp"
+#include "common/sample/idl_text.hpp"
+#include "common/sample/sample_text.hpp"
 #include "tests/integration/types/any_endpoint.hpp"
 #include "tests/integration/types/sample_filler.hpp"
 #include "tests/ros_idl/ros_types.hpp"
@@ -85,12 +86,12 @@ struct WireType : testing::TestWithParam<const dds_topic_descriptor_t*> {
     writer.write(sample.get());
     const std::vector<Taken> taken = take_some(reader, 1);
     ASSERT_EQ(taken.size(), 1U);
-    const bus::Bytes& cdr = taken[0].cdr;
+    const sample::Bytes& cdr = taken[0].cdr;
 
-    const bus::TypeModel model = bus::TypeModel::from_descriptor(*type);
-    EXPECT_EQ(bus::json_text(model, cdr), sample.json());
-    const bus::TypeModel parsed = bus::parse_idl(bus::idl_text(model), model.name());
-    EXPECT_EQ(bus::json_text(parsed, cdr), sample.json());
+    const sample::TypeModel model = bus::model_of(*type);
+    EXPECT_EQ(sample::json_text(model, cdr), sample.json());
+    const sample::TypeModel parsed = sample::parse_idl(sample::idl_text(model), model.name());
+    EXPECT_EQ(sample::json_text(parsed, cdr), sample.json());
     // Through the C struct of the discovered type and back: the bytes of the compiled one.
     EXPECT_EQ(bus::encode_sample(*type, bus::DynamicSample(type, cdr).get()),
               bus::encode_sample(compiled, sample.get()));
@@ -102,7 +103,7 @@ struct WireType : testing::TestWithParam<const dds_topic_descriptor_t*> {
     bus::RawWriter writer(typeless, "rt/topic", bus::restore_type(typeless, stored), qos);
     AnyReader reader(typed, "rt/topic", compiled, qos);
     const FilledSample sample(compiled);
-    const bus::Bytes cdr = bus::encode_sample(compiled, sample.get());
+    const sample::Bytes cdr = bus::encode_sample(compiled, sample.get());
     writer.write(cdr, 1'234'567'890);
     const std::vector<Taken> taken = take_some(reader, 1);
     ASSERT_EQ(taken.size(), 1U);
@@ -124,7 +125,7 @@ TEST_P(GrowingWireType, IsWrittenAgainByWhoNeverKnewIt) { expect_written_again(i
 
 TEST_P(GrowingWireType, IsBuiltAsCyclonePutsIt) {
   const auto type = bus::borrow_compiled(compiled);
-  const bus::Bytes built = bus::build_cdr(bus::TypeModel::from_descriptor(compiled), {});
+  const sample::Bytes built = sample::build_cdr(bus::model_of(compiled), {}, 0);
   EXPECT_EQ(bus::encode_sample(compiled, bus::DynamicSample(type, built).get()), built);
 }
 

@@ -4,9 +4,9 @@
 #include <map>
 #include <sstream>
 
-#include "common/bus/idl_parser.hpp"
-#include "common/bus/sample_text.hpp"
 #include "common/mcap/reader.hpp"
+#include "common/sample/idl_parser.hpp"
+#include "common/sample/sample_text.hpp"
 #include "tests/interop/bystander.hpp"
 #include "tests/interop/fastdds/fixture.hpp"
 #include "tests/support/eventually.hpp"
@@ -43,14 +43,14 @@ void add(Values& values, const std::string& topic, const std::string& json) {
 Values recorded(const std::filesystem::path& log) {
   Values values;
   const mcap::Reader reader(log);
-  std::map<std::uint16_t, bus::TypeModel> types;
+  std::map<std::uint16_t, sample::TypeModel> types;
   for (const auto& [id, schema] : reader.summary().schemas) {
-    types.emplace(id, bus::parse_idl({schema.data.begin(), schema.data.end()}, schema.name));
+    types.emplace(id, sample::parse_idl({schema.data.begin(), schema.data.end()}, schema.name));
   }
   reader.for_each([&](const mcap::Channel& channel, const mcap::Message& message) {
     const auto* bytes = reinterpret_cast<const std::byte*>(message.data.data());
     add(values, channel.topic,
-        bus::json_text(types.at(channel.schema_id), {bytes, message.data.size()}));
+        sample::json_text(types.at(channel.schema_id), {bytes, message.data.size()}));
   });
   return values;
 }

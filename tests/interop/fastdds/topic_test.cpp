@@ -1,9 +1,9 @@
 /// `scarab topic` and a writer that sends no type information: Fast DDS.
 #include <sstream>
 
-#include "common/bus/idl_parser.hpp"
-#include "common/bus/sample_text.hpp"
 #include "common/mcap/reader.hpp"
+#include "common/sample/idl_parser.hpp"
+#include "common/sample/sample_text.hpp"
 #include "tests/interop/fastdds/fixture.hpp"
 #include "tests/support/eventually.hpp"
 
@@ -24,8 +24,8 @@ std::vector<std::string> recorded(const std::filesystem::path& log, const std::s
       [&](const mcap::Channel& channel, const mcap::Message& message) {
         const auto& schema = reader.summary().schemas.at(channel.schema_id);
         const auto* bytes = reinterpret_cast<const std::byte*>(message.data.data());
-        const auto type = bus::parse_idl({schema.data.begin(), schema.data.end()}, schema.name);
-        lines.push_back(bus::json_text(type, {bytes, message.data.size()}));
+        const auto type = sample::parse_idl({schema.data.begin(), schema.data.end()}, schema.name);
+        lines.push_back(sample::json_text(type, {bytes, message.data.size()}));
       },
       {topic});
   return lines;

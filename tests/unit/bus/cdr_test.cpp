@@ -7,9 +7,10 @@
 #include <cstring>
 
 #include "common/bus/error.hpp"
-#include "common/bus/sample_columns.hpp"
 #include "common/bus/sample_fields.hpp"
-#include "common/bus/sample_text.hpp"
+#include "common/bus/topic_type.hpp"
+#include "common/sample/sample_columns.hpp"
+#include "common/sample/sample_text.hpp"
 
 namespace scarab::bus {
 namespace {
@@ -19,8 +20,8 @@ using testing::ElementsAre;
 using testing::HasSubstr;
 using testing::ThrowsMessage;
 
-TypeRef make(decltype(Type::kind) kind) {
-  return std::make_shared<const Type>(Type{std::move(kind)});
+sample::TypeRef make(decltype(sample::Type::kind) kind) {
+  return std::make_shared<const sample::Type>(sample::Type{std::move(kind)});
 }
 
 Bytes bytes(std::initializer_list<int> values) {
@@ -32,7 +33,7 @@ Bytes bytes(std::initializer_list<int> values) {
 struct World : testing::Test {
   std::vector<scarab_Contact> contacts{2};
   scarab_WorldState sample{};
-  TypeModel model = TypeModel::from_descriptor(descriptor<scarab_WorldState>());
+  sample::TypeModel model = bus::model_of(descriptor<scarab_WorldState>());
 
   World() {
     sample.header.tick = 7;
@@ -63,7 +64,7 @@ TEST_F(World, CutAnywhereIsAnErrorForEveryDecoder) {
   for (std::size_t size = 0; size + 8 < cdr.size(); ++size) {
     const ByteView cut{cdr.data(), size};
     EXPECT_THROW(decode<scarab_WorldState>(cut), Error) << size;
-    EXPECT_THROW(json_text(model, cut), Error) << size;
+    EXPECT_THROW(sample::json_text(model, cut), Error) << size;
   }
 }
 
@@ -73,7 +74,7 @@ TEST_F(World, FlippedBytesNeverCrash) {
     Bytes wrong = cdr;
     wrong[i] ^= std::byte{0xFF};
     try {
-      column_values(model, wrong, {3});
+      sample::column_values(model, wrong, {3});
       decode<scarab_WorldState>(wrong);
     } catch (const Error&) {
       continue;  // refused, which is as good
@@ -83,8 +84,8 @@ TEST_F(World, FlippedBytesNeverCrash) {
 
 TEST_F(World, ColumnsHaveNamesAndValuesInStep) {
   for (const std::size_t shown : {0U, 1U, 3U, 200U}) {
-    const auto names = column_names(model, {shown});
-    const auto values = column_values(model, encode(sample), {shown});
+    const auto names = sample::column_names(model, {shown});
+    const auto values = sample::column_values(model, encode(sample), {shown});
     ASSERT_EQ(names.size(), values.size());
     const auto value = [&](const std::string& name) {
       const auto at = std::find(names.begin(), names.end(), name);
@@ -103,11 +104,11 @@ TEST_F(World, ColumnsHaveNamesAndValuesInStep) {
 
 TEST_F(World, IsPrintedAsYamlAndJson) {
   const Bytes cdr = encode(sample);
-  const std::string yaml = yaml_text(model, cdr);
+  const std::string yaml = sample::yaml_text(model, cdr);
   EXPECT_THAT(yaml, HasSubstr("trunk:\n  position_m: [0, 0, 0.125]\n"));
   EXPECT_THAT(yaml, HasSubstr("contacts:\n  - solid_a: SOLID_GROUND\n    leg_a: 0\n"));
   EXPECT_THAT(yaml, HasSubstr("verdict_reason: \"\\\"across\\\"\\u000a\"\n"));
-  const std::string json = json_text(model, cdr);
+  const std::string json = sample::json_text(model, cdr);
   EXPECT_EQ(json.find('\n'), std::string::npos);
   EXPECT_THAT(json, HasSubstr(R"("verdict": "VERDICT_SUCCESS")"));
 }
@@ -119,30 +120,34 @@ TEST(Encode, RefusesAValueThatItsEnumDoesNotHave) {
 }
 
 TEST(Cdr, IsReadInBothByteOrders) {
-  const TypeModel model(make(StructType{"T",
-                                        {{"flag", make(Primitive::kBoolean), false},
-                                         {"number", make(Primitive::kInt32), false},
-                                         {"text", make(StringType{}), false},
-                                         {"real", make(Primitive::kDouble), false}}}));
+  const sample::TypeModel model(
+      make(sample::StructType{"T",
+                              {{"flag", make(sample::Primitive::kBoolean), false},
+                               {"number", make(sample::Primitive::kInt32), false},
+                               {"text", make(sample::StringType{}), false},
+                               {"real", make(sample::Primitive::kDouble), false}}}));
   const Bytes little = bytes({0, 1, 0,   0, 1, 0, 0, 0, 0xFE, 0xFF, 0xFF, 0xFF, 2,    0,
                               0, 0, 'a', 0, 0, 0, 0, 0, 0,    0,    0,    0,    0xF8, 0x3F});
   const Bytes big = bytes({0, 0, 0,   0, 1, 0, 0,    0,    0xFF, 0xFF, 0xFF, 0xFE, 0, 0,
                            0, 2, 'a', 0, 0, 0, 0x3F, 0xF8, 0,    0,    0,    0,    0, 0});
-  EXPECT_EQ(json_text(model, little), R"({"flag": true, "number": -2, "text": "a", "real": 1.5})");
-  EXPECT_EQ(json_text(model, big), json_text(model, little));
+  EXPECT_EQ(sample::json_text(model, little),
+            R"({"flag": true, "number": -2, "text": "a", "real": 1.5})");
+  EXPECT_EQ(sample::json_text(model, big), sample::json_text(model, little));
 }
 
 /// A type that may grow, in the bytes that DDS-XTypes 1.3, 7.4.3 gives it in XCDR2.
 struct Growing : testing::Test {
-  const TypeRef step = make(StructType{
-      "Step",
-      {{"leg", make(Primitive::kInt16), false}, {"height", make(Primitive::kDouble), false}},
-      Extensibility::kAppendable});
-  const TypeModel model{make(StructType{"T",
-                                        {{"id", make(Primitive::kOctet), true},
-                                         {"steps", make(SequenceType{step, 0}), false},
-                                         {"last", make(Primitive::kInt64), false}},
-                                        Extensibility::kAppendable})};
+  const sample::TypeRef step =
+      make(sample::StructType{"Step",
+                              {{"leg", make(sample::Primitive::kInt16), false},
+                               {"height", make(sample::Primitive::kDouble), false}},
+                              sample::Extensibility::kAppendable});
+  const sample::TypeModel model{
+      make(sample::StructType{"T",
+                              {{"id", make(sample::Primitive::kOctet), true},
+                               {"steps", make(sample::SequenceType{step, 0}), false},
+                               {"last", make(sample::Primitive::kInt64), false}},
+                              sample::Extensibility::kAppendable})};
   // clang-format off
   const Bytes cdr = bytes({
       0, 9, 0, 0,                // DELIMIT_CDR2, little-endian
@@ -164,53 +169,56 @@ struct Growing : testing::Test {
 };
 
 TEST_F(Growing, IsReadFromXcdr2WithWhatANewerVersionAdds) {
-  EXPECT_EQ(json_text(model, cdr), json);
+  EXPECT_EQ(sample::json_text(model, cdr), json);
 }
 
 TEST_F(Growing, IsRefusedWhenCutAnywhere) {
   for (std::size_t size = 0; size < cdr.size(); ++size) {
-    EXPECT_THROW(json_text(model, {cdr.data(), size}), Error) << size;
+    EXPECT_THROW(sample::json_text(model, {cdr.data(), size}), Error) << size;
   }
 }
 
 TEST_F(Growing, NeverReadsBeyondAPartsOwnLength) {
   Bytes short_step = cdr;
   short_step[20] = std::byte{8};  // ends within its height
-  EXPECT_THAT([&] { json_text(model, short_step); },
+  EXPECT_THAT([&] { sample::json_text(model, short_step); },
               ThrowsMessage<Error>(HasSubstr("T: the bytes end early")));
   Bytes long_step = cdr;
   long_step[20] = std::byte{36};  // reaches beyond the steps
-  EXPECT_THAT([&] { json_text(model, long_step); },
+  EXPECT_THAT([&] { sample::json_text(model, long_step); },
               ThrowsMessage<Error>(HasSubstr("T: the bytes end early")));
 }
 
 TEST(Cdr, NoArrayIsLargerThanItsSample) {
-  const TypeModel model(make(
-      StructType{"T", {{"a", make(ArrayType{make(Primitive::kOctet), {4'000'000'000U}}), false}}}));
+  const sample::TypeModel model(make(sample::StructType{
+      "T",
+      {{"a", make(sample::ArrayType{make(sample::Primitive::kOctet), {4'000'000'000U}}), false}}}));
   EXPECT_THAT(
       [&] {
-        json_text(model, bytes({0, 1, 0, 0, 1, 2, 3, 4}));
+        sample::json_text(model, bytes({0, 1, 0, 0, 1, 2, 3, 4}));
       },
       ThrowsMessage<Error>(HasSubstr("T: the bytes end early")));
-  EXPECT_THAT([&] { column_names(model); }, ThrowsMessage<Error>(HasSubstr("too many columns")));
+  EXPECT_THAT([&] { sample::column_names(model); },
+              ThrowsMessage<Error>(HasSubstr("too many columns")));
 }
 
 TEST(Cdr, AnotherRepresentationIsRefusedByName) {
-  const TypeModel model = TypeModel::from_descriptor(descriptor<scarab_Operator>());
+  const sample::TypeModel model = bus::model_of(descriptor<scarab_Operator>());
   Bytes cdr = encode(scarab_Operator{});
   cdr[1] = std::byte{3};  // a parameter list
-  EXPECT_THAT([&] { json_text(model, cdr); },
+  EXPECT_THAT([&] { sample::json_text(model, cdr); },
               ThrowsMessage<Error>(HasSubstr("scarab::Operator: representation")));
 }
 
 TEST(ScalarText, IsTheShortestThatReadsBackTheSame) {
   for (const double value : {0.1, 1.0 / 3.0, -1e300, 5e-324, 123456789.0}) {
-    EXPECT_EQ(std::strtod(scalar_text(value).c_str(), nullptr), value);
+    EXPECT_EQ(std::strtod(sample::scalar_text(value).c_str(), nullptr), value);
   }
-  EXPECT_EQ(scalar_text(0.1), "0.1");
-  const TypeModel model(make(StructType{"T", {{"x", make(Primitive::kFloat), false}}}));
+  EXPECT_EQ(sample::scalar_text(0.1), "0.1");
+  const sample::TypeModel model(
+      make(sample::StructType{"T", {{"x", make(sample::Primitive::kFloat), false}}}));
   const Bytes nan = bytes({0, 1, 0, 0, 0, 0, 0xC0, 0x7F});
-  EXPECT_EQ(json_text(model, nan), R"({"x": "nan"})");
+  EXPECT_EQ(sample::json_text(model, nan), R"({"x": "nan"})");
 }
 
 }  // namespace

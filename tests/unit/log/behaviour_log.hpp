@@ -6,10 +6,11 @@
 #include <vector>
 
 #include "common/bus/cdr.hpp"
-#include "common/bus/idl_text.hpp"
 #include "common/bus/sample_fields.hpp"
+#include "common/bus/topic_type.hpp"
 #include "common/bus/topics.hpp"
 #include "common/mcap/writer.hpp"
+#include "common/sample/idl_text.hpp"
 
 namespace scarab::log::test {
 
@@ -23,7 +24,7 @@ class LogWriter {
 
   template <class T>
   void write(const bus::Topic<T>& topic, const T& sample, std::uint64_t time_ns) {
-    const bus::Bytes bytes = bus::encode(sample);
+    const sample::Bytes bytes = bus::encode(sample);
     write(channel_of(topic), time_ns, {bytes.data(), bytes.size()});
   }
   /// The bytes of a sample, published and recorded at a time.
@@ -54,8 +55,8 @@ class LogWriter {
   std::uint16_t channel_of(const bus::Topic<T>& topic) {
     const auto found = channels_.find(topic.name);
     if (found != channels_.end()) return found->second;
-    const auto type = bus::TypeModel::from_descriptor(bus::descriptor<T>());
-    const auto channel = add_channel(topic.name, type.name(), "omgidl", bus::idl_text(type));
+    const auto type = bus::model_of(bus::descriptor<T>());
+    const auto channel = add_channel(topic.name, type.name(), "omgidl", sample::idl_text(type));
     channels_[topic.name] = channel;
     return channel;
   }

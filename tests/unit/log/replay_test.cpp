@@ -4,6 +4,7 @@
 
 #include <stdexcept>
 
+#include "common/bus/topic_type.hpp"
 #include "services/logger/core/base64.hpp"
 #include "tests/unit/log/behaviour_log.hpp"
 #include "tests/unit/mcap/temporary_folder.hpp"
@@ -63,7 +64,7 @@ TEST(TimeOrder, HoldsNoMoreThanItsWindow) {
 }
 
 TEST(HeaderEdit, ChangesOneFieldInEitherByteOrder) {
-  const bus::Bytes encoded = bus::encode(behaviour(7, 3, 11));
+  const sample::Bytes encoded = bus::encode(behaviour(7, 3, 11));
   const auto* data = reinterpret_cast<const std::uint8_t*>(encoded.data());
   mcap::Bytes cdr(data, data + encoded.size());
   set_trial(cdr, 0x01020304);
@@ -85,7 +86,7 @@ TEST(HeaderEdit, ChangesOneFieldInEitherByteOrder) {
 TEST(Base64, IsTheReverseOfTheRecorders) {
   std::vector<std::uint8_t> bytes;
   for (int size = 0; size < 70; ++size) {
-    const bus::Bytes back = base64_bytes(logger::base64(bytes.data(), bytes.size()));
+    const sample::Bytes back = base64_bytes(logger::base64(bytes.data(), bytes.size()));
     ASSERT_EQ(back.size(), bytes.size());
     for (std::size_t i = 0; i < bytes.size(); ++i) {
       ASSERT_EQ(std::to_integer<unsigned>(back[i]), bytes[i]);
@@ -178,14 +179,14 @@ class Answers : public testing::Test {
   static mcap::Bytes cdr(std::uint32_t tick, double as_rad = 0) {
     scarab_Behaviour sample = behaviour(1, tick, tick * 7);
     sample.as_rad = as_rad;
-    const bus::Bytes bytes = bus::encode(sample);
+    const sample::Bytes bytes = bus::encode(sample);
     const auto* data = reinterpret_cast<const std::uint8_t*>(bytes.data());
     return {data, data + bytes.size()};
   }
   static LogChannel channel() {
     LogChannel channel;
     channel.topic = "scarab/behaviour";
-    channel.type = bus::TypeModel::from_descriptor(bus::descriptor<scarab_Behaviour>());
+    channel.type = bus::model_of(bus::descriptor<scarab_Behaviour>());
     channel.has_header = true;
     return channel;
   }

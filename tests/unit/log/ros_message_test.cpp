@@ -7,7 +7,7 @@
 #include <sstream>
 
 #include "common/bus/error.hpp"
-#include "common/bus/idl_text.hpp"
+#include "common/sample/idl_text.hpp"
 #include "tests/unit/log/behaviour_log.hpp"
 #include "tests/unit/mcap/temporary_folder.hpp"
 #include "tools/log/cat.hpp"
@@ -39,7 +39,7 @@ constexpr const char* kJointState =
     "uint32 nanosec\n";
 
 std::string idl_of(const std::string& text, const std::string& name) {
-  return bus::idl_text(parse_ros_message(text, name));
+  return sample::idl_text(parse_ros_message(text, name));
 }
 std::string refusal(const std::string& text) {
   try {
@@ -55,9 +55,9 @@ TEST(RosMessage, HasTheFieldsOfItsDefinition) {
   EXPECT_EQ(type.name(), "sensor_msgs/JointState");
   std::vector<std::string> fields;
   for (const auto& member : type.root().members) {
-    const auto* array = std::get_if<bus::ArrayType>(&member.type->kind);
-    fields.push_back(bus::idl_type_name(array != nullptr ? *array->element : *member.type) + " " +
-                     member.name);
+    const auto* array = std::get_if<sample::ArrayType>(&member.type->kind);
+    fields.push_back(sample::idl_type_name(array != nullptr ? *array->element : *member.type) +
+                     " " + member.name);
   }
   EXPECT_THAT(fields, testing::ElementsAre(HasSubstr("std_msgs/Header"), "sequence<string> name",
                                            "sequence<double> position", "long fixed",

@@ -7,7 +7,8 @@
 #include <sstream>
 #include <stdexcept>
 
-#include "common/bus/sample_columns.hpp"
+#include "common/bus/topic_type.hpp"
+#include "common/sample/sample_columns.hpp"
 #include "tests/unit/log/behaviour_log.hpp"
 #include "tests/unit/mcap/temporary_folder.hpp"
 #include "tools/log/row.hpp"
@@ -115,11 +116,11 @@ TEST(Row, HasTheValuesOfTheColumns) {
   contacts[2].solid_b = scarab_SOLID_FOOT;
   bus::borrow(world.contacts, contacts);
   bus::assign(world.verdict_reason, "on its way");
-  const auto type = bus::TypeModel::from_descriptor(bus::descriptor<scarab_WorldState>());
-  const bus::Bytes cdr = bus::encode(world);
+  const auto type = bus::model_of(bus::descriptor<scarab_WorldState>());
+  const sample::Bytes cdr = bus::encode(world);
   for (const std::size_t elements : {0U, 2U, 3U, 5U, 200U}) {
-    const bus::ColumnOptions options{elements};
-    const auto values = bus::column_values(type, cdr, options);
+    const sample::ColumnOptions options{elements};
+    const auto values = sample::column_values(type, cdr, options);
     std::vector<std::size_t> all(values.size());
     for (std::size_t i = 0; i < all.size(); ++i) all[i] = i;
     Row row(type, options, all);

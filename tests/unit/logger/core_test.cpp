@@ -17,7 +17,7 @@ namespace {
 TEST(SampleHeader, IsWhatTheBusEncodes) {
   scarab_Behaviour behaviour{};
   behaviour.header = {7, 4'000'000'000U, -5, 1'700'000'000'123'456'789LL};
-  const bus::Bytes bytes = bus::encode(behaviour);
+  const sample::Bytes bytes = bus::encode(behaviour);
   const auto header =
       read_sample_header(reinterpret_cast<const std::uint8_t*>(bytes.data()), bytes.size());
   ASSERT_TRUE(header.has_value());
@@ -31,8 +31,8 @@ TEST(SampleHeader, TheStampIsTheOnlyThingInItsPlace) {
   scarab_RobotState a{};
   scarab_RobotState b{};
   b.header.stamp_ns = -1;
-  const bus::Bytes bytes_a = bus::encode(a);
-  const bus::Bytes bytes_b = bus::encode(b);
+  const sample::Bytes bytes_a = bus::encode(a);
+  const sample::Bytes bytes_b = bus::encode(b);
   for (std::size_t i = 0; i < bytes_a.size(); ++i) {
     EXPECT_EQ(bytes_a[i] != bytes_b[i], i >= kStampBegin && i < kStampEnd) << "byte " << i;
   }
@@ -87,7 +87,7 @@ TEST(StateFlags, AreWhatTheBusEncodes) {
     scarab_RobotState state{};
     state.phase = phase;
     state.real_time = real_time;
-    const bus::Bytes bytes = bus::encode(state);
+    const sample::Bytes bytes = bus::encode(state);
     return *read_state_flags(reinterpret_cast<const std::uint8_t*>(bytes.data()), bytes.size());
   };
   EXPECT_FALSE(flags_of(scarab_PHASE_RUNNING, false).real_time);

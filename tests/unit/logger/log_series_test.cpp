@@ -57,7 +57,7 @@ class Series : public testing::Test {
     return *series_;
   }
 
-  void write(Channel channel, const bus::Bytes& bytes, std::uint64_t log_time_ns) {
+  void write(Channel channel, const sample::Bytes& bytes, std::uint64_t log_time_ns) {
     SampleBatch::Entry entry;
     entry.channel = channel;
     entry.sequence = count_++;
@@ -130,7 +130,7 @@ TEST_F(Series, GoesOnInTheNextFileBeyondASize) {
   series(limits);
   std::minstd_rand generator(5);
   for (int i = 0; i < 600; ++i) {
-    bus::Bytes noise(300);
+    sample::Bytes noise(300);
     for (auto& byte : noise) byte = static_cast<std::byte>(generator() >> 8U);
     write(kOther, noise, kSecond);
   }
@@ -179,7 +179,7 @@ TEST_F(Series, HasAFileForEachTrialWhenAsked) {
   limits.file_per_trial = true;
   limits.file_time = 10s;
   series(limits, 0, Split::kTrial);
-  write(kOther, bus::Bytes(10), 0);
+  write(kOther, sample::Bytes(10), 0);
   for (std::uint32_t trial : {1U, 2U, 12U}) {
     write_trial(trial, "hard", trial);
     write_trial(trial, "hard", trial);  // told again: no new trial

@@ -76,7 +76,7 @@ SampleBatch robot_states(std::uint32_t first, std::uint32_t last, bool with_chan
     scarab_RobotState state{};
     state.header.trial = 1;
     state.header.tick = tick;
-    const bus::Bytes bytes = bus::encode(state);
+    const sample::Bytes bytes = bus::encode(state);
     SampleBatch::Entry entry;
     entry.sequence = tick;
     batch.add(entry, {bytes.data(), bytes.size()});

@@ -23,7 +23,7 @@ SampleBatch with_channels() {
   return batch;
 }
 
-void add(SampleBatch& batch, Channel channel, const bus::Bytes& bytes) {
+void add(SampleBatch& batch, Channel channel, const sample::Bytes& bytes) {
   SampleBatch::Entry entry;
   entry.channel = channel;
   batch.add(entry, {bytes.data(), bytes.size()});
@@ -85,9 +85,9 @@ TEST_F(Watch, BytesThatAreNoStateSayNothing) {
   announce(1);
   state(1, false);
   SampleBatch batch;
-  add(batch, kState, bus::Bytes(3));
-  add(batch, kTrialChannel, bus::Bytes(3));
-  add(batch, kForeign, bus::Bytes(300));
+  add(batch, kState, sample::Bytes(3));
+  add(batch, kTrialChannel, sample::Bytes(3));
+  add(batch, kForeign, sample::Bytes(300));
   watch_.note(batch, now_);
   EXPECT_TRUE(watch_.in_lockstep(now_));
   EXPECT_EQ(watch_.role_of(kForeign), TopicRole::kNone);
@@ -96,7 +96,7 @@ TEST_F(Watch, BytesThatAreNoStateSayNothing) {
 TEST(SampleBatch, LetsGoOfSamplesAndCountsThem) {
   SampleBatch batch = with_channels();
   for (std::uint8_t i = 0; i < 9; ++i) {
-    add(batch, static_cast<Channel>(i % 3), bus::Bytes(2 + i, std::byte{i}));
+    add(batch, static_cast<Channel>(i % 3), sample::Bytes(2 + i, std::byte{i}));
   }
   batch.drop_samples([](std::uint32_t channel) { return channel == kTrialChannel; });
   ASSERT_EQ(batch.entries().size(), 3U);

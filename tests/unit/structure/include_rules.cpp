@@ -50,18 +50,15 @@ bool is_simbody(const std::string& target) {
   return starts_with_any(target, {"Simbody.h", "SimTK", "simbody/", "simmath/"});
 }
 
-const Names kPureCommon = {"common/robot/", "common/safety/", "common/random/"};
+const Names kPureCommon = {"common/robot/", "common/safety/", "common/random/", "common/sample/"};
 
 /// Which folders of common/ each folder of common/ may include, besides itself.
 const std::map<std::string, Names>& common_layers() {
   static const std::map<std::string, Names> layers = {
-      {"random", {}},
-      {"robot", {}},
-      {"safety", {"robot"}},
-      {"config", {"robot"}},
-      {"bus", {}},
-      {"mcap", {}},
-      {"runtime", {"bus", "config", "random", "robot", "safety"}},
+      {"random", {}},        {"robot", {}},
+      {"safety", {"robot"}}, {"config", {"robot"}},
+      {"sample", {}},        {"bus", {"sample"}},
+      {"mcap", {}},          {"runtime", {"bus", "config", "random", "robot", "safety", "sample"}},
   };
   return layers;
 }

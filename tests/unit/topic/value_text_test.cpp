@@ -10,7 +10,7 @@ namespace scarab::topic {
 namespace {
 
 using testing::ElementsAre;
-using Kind = bus::WrittenValue::Kind;
+using Kind = sample::WrittenValue::Kind;
 
 std::vector<std::string> documents(const std::string& text) {
   DocumentSplitter splitter;
@@ -41,7 +41,7 @@ TEST(DocumentSplitter, EndsJsonAtItsLastBracket) {
 }
 
 TEST(ReadValue, KeepsWhatWasWritten) {
-  const bus::WrittenValue value = read_value("v", "{a: 1, b: \"1\", c: [x, null], d: {}}");
+  const sample::WrittenValue value = read_value("v", "{a: 1, b: \"1\", c: [x, null], d: {}}");
   EXPECT_EQ(value.kind, Kind::kMap);
   EXPECT_THAT(value.keys, ElementsAre("a", "b", "c", "d"));
   EXPECT_FALSE(value.items[0].quoted);

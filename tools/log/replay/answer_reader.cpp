@@ -2,6 +2,7 @@
 
 #include <stdexcept>
 
+#include "common/bus/topic_type.hpp"
 #include "tools/log/channel_type.hpp"
 
 namespace scarab::log {
@@ -13,7 +14,7 @@ class TypedReader : public AnswerReader {
   TypedReader(bus::Participant& participant, const bus::Topic<T>& topic)
       : reader_(participant, topic, keep_all()) {
     channel_.topic = topic.name;
-    channel_.type = bus::TypeModel::from_descriptor(bus::descriptor<T>());
+    channel_.type = bus::model_of(bus::descriptor<T>());
     channel_.type_name = channel_.type->name();
     channel_.has_header = begins_with_header(*channel_.type);
   }
@@ -23,7 +24,7 @@ class TypedReader : public AnswerReader {
   const LogChannel& channel() const override { return channel_; }
   void take(const Visitor& visit) override {
     reader_.take([&](const T& sample) {
-      const bus::Bytes cdr = bus::encode(sample);
+      const sample::Bytes cdr = bus::encode(sample);
       const auto* bytes = reinterpret_cast<const std::uint8_t*>(cdr.data());
       const scarab_Header& header = sample.header;
       visit({header.trial, header.tick, header.sim_time_ns, header.stamp_ns},

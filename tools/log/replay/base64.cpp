@@ -6,12 +6,12 @@
 
 namespace scarab::log {
 
-bus::Bytes base64_bytes(const std::string& text) {
+sample::Bytes base64_bytes(const std::string& text) {
   constexpr std::string_view kDigits =
       "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
   constexpr unsigned kBitsOfDigit = 6;
   constexpr unsigned kBitsOfByte = 8;
-  bus::Bytes bytes;
+  sample::Bytes bytes;
   unsigned bits = 0;
   unsigned held = 0;  // bits not yet handed on
   for (const char c : std::string_view(text).substr(0, text.find('='))) {

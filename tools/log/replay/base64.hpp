@@ -7,6 +7,6 @@
 namespace scarab::log {
 
 /// The bytes of base64 text (RFC 4648). Throws bus::Error for text that is none.
-bus::Bytes base64_bytes(const std::string& text);
+sample::Bytes base64_bytes(const std::string& text);
 
 }  // namespace scarab::log

@@ -62,7 +62,7 @@ TopicWriter::TopicWriter(bus::Participant& participant, const LogChannel& channe
               patient(recorded_qos(channel))) {}
 
 void TopicWriter::write(const mcap::Bytes& cdr, std::optional<std::int64_t> source_ns) {
-  const bus::ByteView bytes{reinterpret_cast<const std::byte*>(cdr.data()), cdr.size()};
+  const sample::ByteView bytes{reinterpret_cast<const std::byte*>(cdr.data()), cdr.size()};
   if (source_ns) {
     writer_.write(bytes, *source_ns);
   } else {
