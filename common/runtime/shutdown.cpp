@@ -1,7 +1,6 @@
 #include "common/runtime/shutdown.hpp"
 
 #include <csignal>
-#include <ctime>
 
 namespace scarab::runtime {
 namespace {
@@ -25,15 +24,15 @@ Shutdown::Shutdown(bus::Guard& guard) : guard_(guard), thread_([this] { wait_for
 
 Shutdown::~Shutdown() {
   finished_ = true;
+  pthread_kill(thread_.native_handle(), SIGTERM);  // for the thread alone, which waits for one
   thread_.join();
 }
 
 void Shutdown::wait_for_signal() {
   const sigset_t set = stop_signals();
-  // Looks up now and then only to end with its owner; a signal wakes it at once.
-  const timespec patience{0, 100'000'000};
   while (!finished_) {
-    if (sigtimedwait(&set, nullptr, &patience) > 0) {
+    int signal = 0;
+    if (sigwait(&set, &signal) == 0 && !finished_) {
       requested_ = true;
       guard_.trigger();
     }

@@ -38,7 +38,7 @@ class Follower {
            const bus::RawReaderOptions& options = {});
 
   /// What it takes to decode the samples. Throws Failure (type unknown) for a type with parts that
-  /// bus::TypeModel does not know; its samples can be counted all the same.
+  /// sample::TypeModel does not know; its samples can be counted all the same.
   const sample::TypeModel& model() const;
   const FollowedType& type() const { return type_; }
   /// How often the type has become another one: all writers had gone, and who came then writes a

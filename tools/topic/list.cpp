@@ -19,7 +19,7 @@ constexpr double kNamesTimeout_s = 0.3;
 constexpr std::chrono::milliseconds kNamesQuiet{100};
 
 struct ListOptions {
-  double timeout_s = 1.0;
+  double timeout_s = 1.5;
   bool watch = false;
   bool json = false;
   bool names = false;

@@ -14,7 +14,7 @@ namespace scarab::topic {
 namespace {
 
 struct PsOptions {
-  double timeout_s = 1.0;
+  double timeout_s = 1.5;
   bool json = false;
 };
 

@@ -1,6 +1,7 @@
 #include "tools/topic/session.hpp"
 
 #include <algorithm>
+#include <set>
 
 #include "tools/topic/failure.hpp"
 
@@ -13,6 +14,19 @@ using bus::EndpointKind;
 
 // The process of an endpoint answers within milliseconds, or not at all.
 constexpr std::chrono::milliseconds kTypePatience{1000};
+
+/// True while there is nobody at all, or somebody whose endpoints are not known yet. Participants
+/// of Cyclone tell them at once and may have none; others answer with their next heartbeat, which
+/// Fast DDS 2.9 sends after up to a second.
+bool still_to_come(const DomainView& view) {
+  constexpr std::uint8_t kCyclone = 0x10;
+  std::set<bus::Guid> heard;
+  for (const DiscoveredEndpoint& endpoint : view.endpoints) heard.insert(endpoint.participant);
+  return heard.empty() ||
+         std::any_of(view.participants.begin(), view.participants.end(), [&](const auto& entry) {
+           return entry.first[1] != kCyclone && heard.count(entry.first) == 0;
+         });
+}
 
 Failure no_such_topic(const std::string& topic, const DomainView& view, std::uint32_t domain,
                       bool writers_only) {
@@ -68,13 +82,13 @@ DomainView Session::view() const {
 
 DomainView Session::settle(std::chrono::milliseconds limit, std::chrono::milliseconds quiet) {
   const auto end = after(limit);
-  auto quiet_end = view().endpoints.empty() ? end : after(quiet);
+  const auto quiet_end = [&] { return still_to_come(view()) ? end : after(quiet); };
+  auto enough = quiet_end();
   while (!interrupted()) {
     const std::uint64_t before = arrivals_;
-    const bool more = wait(std::min(end, quiet_end));
+    const bool more = wait(std::min(end, enough));
     if (!more) return view();
-    // While there is nobody at all, somebody may still be about to answer.
-    if (arrivals_ != before && !view().endpoints.empty()) quiet_end = after(quiet);
+    if (arrivals_ != before || still_to_come(view())) enough = quiet_end();
   }
   throw Interrupted{};
 }
