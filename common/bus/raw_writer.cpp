@@ -20,9 +20,7 @@ DynamicSample RawWriter::decoded(ByteView cdr) const {
 
 void RawWriter::write(ByteView cdr) { write(cdr, now_ns()); }
 
-void RawWriter::write(ByteView cdr, std::int64_t source_ns) {
-  send(decoded(cdr).get(), source_ns);
-}
+void RawWriter::write(ByteView cdr, std::int64_t source_ns) { send(decoded(cdr).get(), source_ns); }
 
 bool RawWriter::await_acknowledged(std::chrono::nanoseconds limit) const {
   const dds_return_t code = dds_wait_for_acks(handle(), limit.count());
