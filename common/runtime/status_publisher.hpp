@@ -20,8 +20,8 @@ inline constexpr const char* kOperatorStamp = "operator_stamp_ns";
 class StatusPublisher {
  public:
   static constexpr std::chrono::milliseconds kProgressPeriod{250};
-  static constexpr std::uint32_t kRecordedTicks = 16;
-  static constexpr std::chrono::milliseconds kRecordedPeriod{5};
+  static constexpr std::uint32_t kRecordedTicks = 24;
+  static constexpr std::chrono::milliseconds kRecordedPeriod{20};
 
   StatusPublisher(bus::Participant& participant, const bus::Peer& self);
 
