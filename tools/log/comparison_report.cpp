@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "tools/log/json_object.hpp"
+#include "common/config/json_object.hpp"
 #include "tools/log/words.hpp"
 
 namespace scarab::log {
@@ -23,7 +23,7 @@ std::string text_of(const TopicComparison& topic, const std::string& a, const st
 }
 
 std::string json_of(const Difference& first) {
-  JsonObject object;
+  config::JsonObject object;
   if (first.has_header) {
     object.number("trial", first.header.trial)
         .number("tick", first.header.tick)
@@ -73,7 +73,7 @@ void print_text(const LogComparison& comparison, std::ostream& out) {
 void print_json(const LogComparison& comparison, std::ostream& out) {
   std::vector<std::string> topics;
   for (const TopicComparison& topic : comparison.topics) {
-    JsonObject object;
+    config::JsonObject object;
     object.text("topic", topic.topic)
         .number("equal", topic.equal)
         .number("different", topic.different)
@@ -85,7 +85,7 @@ void print_json(const LogComparison& comparison, std::ostream& out) {
   out << "{\n  \"a\": " << config::in_json_quotes(comparison.a)
       << ",\n  \"b\": " << config::in_json_quotes(comparison.b)
       << ",\n  \"equal\": " << (comparison.is_equal() ? "true" : "false")
-      << ",\n  \"topics\": " << json_list(topics, "    ") << "\n}\n";
+      << ",\n  \"topics\": " << config::json_lines(topics, "    ") << "\n}\n";
 }
 
 }  // namespace scarab::log

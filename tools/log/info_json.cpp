@@ -1,5 +1,5 @@
+#include "common/config/json_object.hpp"
 #include "tools/log/info.hpp"
-#include "tools/log/json_object.hpp"
 #include "tools/log/words.hpp"
 
 namespace scarab::log {
@@ -8,7 +8,7 @@ namespace {
 constexpr const char* kMargin = "    ";
 
 std::string json_of(const std::map<std::string, std::string>& entries) {
-  JsonObject object;
+  config::JsonObject object;
   for (const auto& [key, value] : entries) object.text(key, value);
   return object.str();
 }
@@ -16,7 +16,7 @@ std::string json_of(const std::map<std::string, std::string>& entries) {
 std::string json_of(const FileFacts& file) {
   std::vector<std::string> attachments;
   for (const mcap::AttachmentIndex& attachment : file.attachments) {
-    attachments.push_back(JsonObject()
+    attachments.push_back(config::JsonObject()
                               .text("name", attachment.name)
                               .text("media_type", attachment.media_type)
                               .number("size", attachment.data_size)
@@ -24,14 +24,16 @@ std::string json_of(const FileFacts& file) {
   }
   std::vector<std::string> metadata;
   for (const mcap::Metadata& record : file.metadata) {
-    metadata.push_back(
-        JsonObject().text("name", record.name).raw("entries", json_of(record.entries)).str());
+    metadata.push_back(config::JsonObject()
+                           .text("name", record.name)
+                           .raw("entries", json_of(record.entries))
+                           .str());
   }
   std::vector<std::string> compressions;
   for (const std::string& name : file.compressions) {
     compressions.push_back(config::in_json_quotes(name));
   }
-  return JsonObject()
+  return config::JsonObject()
       .text("path", file.path)
       .text("library", file.library)
       .text("profile", file.profile)
@@ -41,17 +43,17 @@ std::string json_of(const FileFacts& file) {
       .number("size", file.size)
       .number("chunks", file.chunks)
       .number("uncompressed_size", file.chunk_bytes)
-      .raw("compressions", json_list(compressions, "      "))
+      .raw("compressions", config::json_lines(compressions, "      "))
       .number("messages", file.messages)
       .text("start_ns", std::to_string(file.start_ns))
       .text("end_ns", std::to_string(file.end_ns))
-      .raw("attachments", json_list(attachments, "      "))
-      .raw("metadata", json_list(metadata, "      "))
+      .raw("attachments", config::json_lines(attachments, "      "))
+      .raw("metadata", config::json_lines(metadata, "      "))
       .str();
 }
 
 std::string json_of(const TopicFacts& topic) {
-  return JsonObject()
+  return config::JsonObject()
       .text("topic", topic.topic)
       .text("type", topic.type)
       .text("no_type", topic.no_type)
@@ -64,7 +66,7 @@ std::string json_of(const TopicFacts& topic) {
 }
 
 std::string json_of(const TrialFacts& trial) {
-  JsonObject object;
+  config::JsonObject object;
   object.number("trial", trial.trial)
       .text("strategy", trial.strategy)
       .number("ticks", trial.ticks)
@@ -79,7 +81,7 @@ template <class Facts>
 std::string json_of(const std::vector<Facts>& all) {
   std::vector<std::string> values;
   for (const Facts& facts : all) values.push_back(json_of(facts));
-  return json_list(values, kMargin);
+  return config::json_lines(values, kMargin);
 }
 
 }  // namespace

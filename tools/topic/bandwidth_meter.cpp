@@ -1,6 +1,6 @@
 #include "tools/topic/bandwidth_meter.hpp"
 
-#include "tools/topic/json_object.hpp"
+#include "common/config/json_object.hpp"
 #include "tools/topic/quantity.hpp"
 
 namespace scarab::topic {
@@ -39,7 +39,7 @@ std::vector<std::string> BandwidthMeter::row() const {
 
 std::string BandwidthMeter::json() const {
   const Part sum = parts_.sum();
-  return JsonObject()
+  return config::JsonObject()
       .number("bytes_per_s", sum.per_second(sum.bytes()))
       .number("samples_per_s", sum.per_second(sum.samples()))
       .number("size_mean_bytes", sum.size_bytes.mean())

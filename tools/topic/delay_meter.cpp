@@ -4,8 +4,8 @@
 #include <cmath>
 #include <limits>
 
+#include "common/config/json_object.hpp"
 #include "tools/topic/failure.hpp"
-#include "tools/topic/json_object.hpp"
 #include "tools/topic/moments.hpp"
 #include "tools/topic/quantity.hpp"
 
@@ -120,7 +120,7 @@ std::vector<std::string> DelayMeter::row() const {
 
 std::string DelayMeter::json() const {
   const Summary sum = summary();
-  return JsonObject()
+  return config::JsonObject()
       .number("delay_mean_s", sum.delay_s.mean())
       .number("delay_min_s", sum.delay_s.min())
       .number("delay_p50_s", sum.median_s)

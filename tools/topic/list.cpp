@@ -1,11 +1,11 @@
 #include <CLI/CLI.hpp>
 #include <memory>
 
+#include "common/config/json_object.hpp"
 #include "common/runtime/program.hpp"
 #include "tools/topic/command_options.hpp"
 #include "tools/topic/commands.hpp"
 #include "tools/topic/failure.hpp"
-#include "tools/topic/json_object.hpp"
 #include "tools/topic/session.hpp"
 #include "tools/topic/topic_table.hpp"
 
@@ -36,7 +36,7 @@ std::string text_of(const DomainView& view, bus::TypeTexts& types, const ListOpt
   if (!options.json) return topic_table(view, reports, Output::width(), options.verbose);
   std::vector<std::string> rows;
   for (const TopicReport& report : reports) rows.push_back(report_json(view, report));
-  return json_list(rows) + "\n";
+  return config::json_list(rows) + "\n";
 }
 
 /// On a terminal over the last one; elsewhere one after the other.

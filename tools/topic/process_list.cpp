@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <tuple>
 
-#include "tools/topic/json_object.hpp"
+#include "common/config/json_object.hpp"
 #include "tools/topic/text_table.hpp"
 
 namespace scarab::topic {
@@ -60,7 +60,7 @@ std::string process_json(const std::vector<ProcessEntry>& processes) {
   std::vector<std::string> rows;
   for (const ProcessEntry& entry : processes) {
     const auto& participant = entry.participant;
-    rows.push_back(JsonObject()
+    rows.push_back(config::JsonObject()
                        .text("service", service_of(entry))
                        .text("process", participant.process)
                        .number("pid", std::uint64_t{participant.pid})
@@ -70,7 +70,7 @@ std::string process_json(const std::vector<ProcessEntry>& processes) {
                        .number("readers", std::uint64_t{entry.readers})
                        .str());
   }
-  return json_list(rows) + "\n";
+  return config::json_list(rows) + "\n";
 }
 
 }  // namespace scarab::topic

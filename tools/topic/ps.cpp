@@ -3,10 +3,10 @@
 #include <memory>
 #include <tuple>
 
+#include "common/config/json_object.hpp"
 #include "common/runtime/program.hpp"
 #include "tools/topic/command_options.hpp"
 #include "tools/topic/commands.hpp"
-#include "tools/topic/json_object.hpp"
 #include "tools/topic/process_list.hpp"
 #include "tools/topic/session.hpp"
 

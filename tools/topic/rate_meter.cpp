@@ -1,6 +1,6 @@
 #include "tools/topic/rate_meter.hpp"
 
-#include "tools/topic/json_object.hpp"
+#include "common/config/json_object.hpp"
 #include "tools/topic/quantity.hpp"
 
 namespace scarab::topic {
@@ -47,7 +47,7 @@ std::vector<std::string> RateMeter::row() const {
 
 std::string RateMeter::json() const {
   const Part sum = parts_.sum();
-  return JsonObject()
+  return config::JsonObject()
       .number("rate_hz", rate_hz(sum))
       .number("interval_mean_s", sum.interval_s.mean())
       .number("interval_min_s", sum.interval_s.min())

@@ -5,7 +5,7 @@
 
 #include "common/bus/known_types.hpp"
 #include "common/bus/qos_text.hpp"
-#include "tools/topic/json_object.hpp"
+#include "common/config/json_object.hpp"
 
 namespace scarab::topic {
 namespace {
@@ -18,13 +18,13 @@ std::string endpoints_json(const DomainView& view,
                            const std::vector<DiscoveredEndpoint>& endpoints) {
   std::vector<std::string> out;
   for (const auto& endpoint : endpoints) out.push_back(endpoint_json(view, endpoint));
-  return json_list(out);
+  return config::json_list(out);
 }
 
 std::string faults_json(const DomainView& view, const std::vector<EndpointFault>& faults) {
   std::vector<std::string> out;
   for (const EndpointFault& fault : faults) {
-    out.push_back(JsonObject()
+    out.push_back(config::JsonObject()
                       .text("policy", fault.policy)
                       .text("offered", fault.offered)
                       .text("asked", fault.asked)
@@ -32,7 +32,7 @@ std::string faults_json(const DomainView& view, const std::vector<EndpointFault>
                       .text("reader", view.name_of(fault.reader))
                       .str());
   }
-  return json_list(out);
+  return config::json_list(out);
 }
 
 }  // namespace
@@ -110,7 +110,7 @@ std::string names_of(const DomainView& view, const std::vector<DiscoveredEndpoin
 
 std::string endpoint_json(const DomainView& view, const DiscoveredEndpoint& endpoint) {
   const bus::DiscoveredParticipant participant = view.participant_of(endpoint);
-  return JsonObject()
+  return config::JsonObject()
       .text("service", endpoint.peer.service.empty() ? "" : to_string(endpoint.peer))
       .text("process", participant.process)
       .number("pid", std::uint64_t{participant.pid})
@@ -123,7 +123,7 @@ std::string endpoint_json(const DomainView& view, const DiscoveredEndpoint& endp
 }
 
 std::string report_json(const DomainView& view, const TopicReport& report) {
-  return JsonObject()
+  return config::JsonObject()
       .text("topic", report.topic)
       .text("type", report.type())
       .raw("writers", endpoints_json(view, report.writers))

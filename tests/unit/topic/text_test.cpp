@@ -1,7 +1,7 @@
 #include <gmock/gmock.h>
 
+#include "common/config/json_object.hpp"
 #include "tools/topic/failure.hpp"
-#include "tools/topic/json_object.hpp"
 #include "tools/topic/quantity.hpp"
 #include "tools/topic/text_table.hpp"
 
@@ -37,10 +37,10 @@ TEST(Quantity, HasUnitsThatFit) {
 }
 
 TEST(JsonObject, QuotesTextAndKnowsNoNan) {
-  EXPECT_EQ(JsonObject().text("a", "b\"c").number("d", 0.5).number("e", 0.0 / 0.0).str(),
+  EXPECT_EQ(config::JsonObject().text("a", "b\"c").number("d", 0.5).number("e", 0.0 / 0.0).str(),
             "{\"a\": \"b\\\"c\", \"d\": 0.5, \"e\": null}");
-  EXPECT_EQ(json_list({"1", "{}"}), "[1, {}]");
-  EXPECT_EQ(json_list({}), "[]");
+  EXPECT_EQ(config::json_list({"1", "{}"}), "[1, {}]");
+  EXPECT_EQ(config::json_list({}), "[]");
 }
 
 TEST(Failure, SuggestsOnlyWhatMayBeMeant) {
