@@ -42,6 +42,20 @@ const char* word(scarab_BehaviourState state) {
   return "unknown";
 }
 
+const char* word(scarab_ObstacleTrigger trigger) {
+  switch (trigger) {
+    case scarab_TRIGGER_NONE:
+      return "none";
+    case scarab_TRIGGER_FRONT_ANGLE:
+      return "front angle";
+    case scarab_TRIGGER_SUPPLY_CURRENT:
+      return "supply current";
+    case scarab_TRIGGER_FOOT_FORCE:
+      return "foot force";
+  }
+  return "unknown";
+}
+
 const char* word(scarab_Lifecycle lifecycle) {
   switch (lifecycle) {
     case scarab_LIFECYCLE_UNCONFIGURED:

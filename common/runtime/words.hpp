@@ -7,6 +7,7 @@ namespace scarab::runtime {
 
 const char* word(scarab_TrialPhase phase);
 const char* word(scarab_BehaviourState state);
+const char* word(scarab_ObstacleTrigger trigger);
 const char* word(scarab_Lifecycle lifecycle);
 const char* word(scarab_Health health);
 

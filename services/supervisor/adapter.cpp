@@ -121,6 +121,9 @@ void fill(scarab_Behaviour& behaviour, const Decision& decision) {
   behaviour.bs_threshold_rad = decision.bs_threshold_rad;
   behaviour.as_rad = decision.as_rad;
   behaviour.as_threshold_rad = decision.as_threshold_rad;
+  behaviour.trigger = scarab_TRIGGER_FRONT_ANGLE;
+  behaviour.trigger_value = decision.as_rad;
+  behaviour.trigger_threshold = decision.as_threshold_rad;
 }
 
 }  // namespace scarab::supervisor

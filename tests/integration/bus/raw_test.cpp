@@ -37,6 +37,7 @@ void complete(scarab_RobotState& s, Backing&) {
   }
   for (auto& source : s.foot_force_source) source = scarab_SOURCE_MEASURED;
   s.imu_source = scarab_SOURCE_MEASURED;
+  s.supply_current_source = scarab_SOURCE_MEASURED;
 }
 
 void complete(scarab_Behaviour& s, Backing&) {
@@ -45,6 +46,7 @@ void complete(scarab_Behaviour& s, Backing&) {
   s.hind_override = true;
   s.state = scarab_BEHAVIOUR_CLIMB;
   assign(s.reason, "the cylinder is reached");
+  s.trigger = scarab_TRIGGER_SUPPLY_CURRENT;
 }
 
 void complete(scarab_JointCommand& s, Backing&) { s.kind = scarab_COMMAND_POSITION; }

@@ -26,6 +26,10 @@ constexpr auto names_of(BehaviourState /*type*/) {
                     "BEHAVIOUR_MODE_1", "BEHAVIOUR_MODE_2",    "BEHAVIOUR_DONE",
                     "BEHAVIOUR_FAILED", "BEHAVIOUR_SAFE_STOP", "BEHAVIOUR_MANUAL"};
 }
+constexpr auto names_of(ObstacleTrigger /*type*/) {
+  return std::array{"TRIGGER_NONE", "TRIGGER_FRONT_ANGLE", "TRIGGER_SUPPLY_CURRENT",
+                    "TRIGGER_FOOT_FORCE"};
+}
 constexpr auto names_of(CommandKind /*type*/) {
   return std::array{"COMMAND_STOP", "COMMAND_POSITION"};
 }

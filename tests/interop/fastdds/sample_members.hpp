@@ -37,6 +37,9 @@ void for_each_member(const Behaviour& s, F&& f) {
   f("bs_threshold_rad", s.bs_threshold_rad());
   f("as_rad", s.as_rad());
   f("as_threshold_rad", s.as_threshold_rad());
+  f("trigger", s.trigger());
+  f("trigger_value", s.trigger_value());
+  f("trigger_threshold", s.trigger_threshold());
 }
 
 template <class F>
@@ -88,6 +91,8 @@ void for_each_member(const RobotState& s, F&& f) {
   f("angular_velocity_rad_s", s.angular_velocity_rad_s());
   f("acceleration_m_s2", s.acceleration_m_s2());
   f("imu_source", s.imu_source());
+  f("supply_current_a", s.supply_current_a());
+  f("supply_current_source", s.supply_current_source());
 }
 
 template <class F>

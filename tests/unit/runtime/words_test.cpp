@@ -22,6 +22,7 @@ void expect_words_up_to(Enum last) {
 TEST(Words, AreThereForEachValueAndDifferent) {
   expect_words_up_to(scarab_PHASE_FAILED);
   expect_words_up_to(scarab_BEHAVIOUR_MANUAL);
+  expect_words_up_to(scarab_TRIGGER_FOOT_FORCE);
   expect_words_up_to(scarab_LIFECYCLE_FINALISED);
   expect_words_up_to(scarab_HEALTH_FAULT);
 }

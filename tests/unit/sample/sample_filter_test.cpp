@@ -175,7 +175,8 @@ TEST(SampleFilter, RefusesComparisonsOfUnlikeKinds) {
   EXPECT_EQ(error_of("mode = MODE_STOP"),
             "column 8: no member MODE_STOP in scarab::Behaviour; it has header, real_time, mode, "
             "inputs, hind_override, hind_pose_rad, backbone_rad, state, entered_tick, reason, "
-            "bs_rad, bs_threshold_rad, as_rad, as_threshold_rad");
+            "bs_rad, bs_threshold_rad, as_rad, as_threshold_rad, trigger, trigger_value, "
+            "trigger_threshold");
   EXPECT_THAT(error_of("mode = 'HARD'"),
               StartsWith("column 8: 'HARD' is no scarab::Mode; there are MODE_STOP, MODE_FORWARD"));
   EXPECT_EQ(error_of("mode = header.tick"),
