@@ -1,0 +1,23 @@
+#include "services/robot_bridge/core/calibration.hpp"
+
+#include <algorithm>
+
+namespace scarab::bridge {
+
+double to_servo_rad(const JointCalibration& c, double joint_rad) noexcept {
+  return std::clamp(c.offset_rad + c.direction * joint_rad, c.min_rad, c.max_rad);
+}
+
+double to_joint_rad(const JointCalibration& c, double servo_rad) noexcept {
+  return c.direction * (servo_rad - c.offset_rad);
+}
+
+double turned(const JointCalibration& c, double value) noexcept { return c.direction * value; }
+
+JointRange reach(const JointCalibration& c) noexcept {
+  const double a = to_joint_rad(c, c.min_rad);
+  const double b = to_joint_rad(c, c.max_rad);
+  return {std::min(a, b), std::max(a, b)};
+}
+
+}  // namespace scarab::bridge
