@@ -30,8 +30,20 @@ Violations refuse_unless(const SourceFile& file, const std::string& rule, Predic
   return violations;
 }
 
-/// services/plant/core/ for any file below it; empty outside of cores.
+const std::string kBridge = "services/robot_bridge/";
+const std::string kDrivers = kBridge + "drivers/";
+
+/// The driver whose folder a path is in, such as amosii; empty outside of drivers.
+std::string driver_of(const std::string& path) {
+  const std::vector<std::string> parts = parts_of(path);
+  return starts_with(path, kDrivers) && parts.size() > 4 ? parts[3] : "";
+}
+
+/// services/plant/core/ for any file below it, and the same for the protocol of a robot's driver;
+/// empty outside of both.
 std::string core_of(const SourceFile& file) {
+  const std::string protocol = kDrivers + driver_of(file.path) + "/protocol/";
+  if (starts_with(file.path, protocol)) return protocol;
   const std::string prefix = file.part(0) + "/" + file.part(1) + "/core/";
   return (file.is_in("services") || file.is_in("tools")) && starts_with(file.path, prefix) ? prefix
                                                                                            : "";
@@ -75,6 +87,11 @@ bool tool_may_include(const SourceFile& file, const std::vector<std::string>& to
   static const std::vector<std::string> composition = {"tools", "sim", "composition.hpp"};
   if (to[0] == "tools") return to[1] == file.part(1) || to == composition;
   const std::string& room = to[2];
+  // What speaks to the bridge must know what the bridge was told and how its drivers speak.
+  if (to[1] == "robot_bridge" && room == "calibration_file.hpp") return true;
+  if (to[1] == "robot_bridge" && room == "drivers" && to.size() > 4) {
+    return to[4] == "config.hpp" || to[4] == "protocol";
+  }
   // The loop of a worker is one, whatever runs its trials.
   const bool worker = to[1] == "experiment" && room == "worker.hpp";
   return room == "core" || room == "adapter.hpp" || room == "config.hpp" || worker;
@@ -90,19 +107,21 @@ Violations check_pure_includes(const SourceFile& file) {
   if (!is_pure(file)) return {};
   const std::string core = core_of(file);
   const bool is_plant = core == "services/plant/core/";
-  return refuse_unless(file,
-                       "pure code takes the standard library (no clocks, threads, files), Eigen "
-                       "and pure folders only",
-                       [&](const Include& include) {
-                         const std::string& target = include.target;
-                         if (!include.angled) {
-                           return starts_with_any(target, kPureCommon) ||
-                                  (!core.empty() && starts_with(target, core));
-                         }
-                         // fmt/format.h is C++20's <format>: text from values, no stream, no state.
-                         return is_pure_standard_header(target) || starts_with(target, "Eigen/") ||
-                                target == "fmt/format.h" || (is_plant && is_simbody(target));
-                       });
+  return refuse_unless(
+      file,
+      "pure code takes the standard library (no clocks, threads, files), Eigen "
+      "and pure folders only",
+      [&](const Include& include) {
+        const std::string& target = include.target;
+        if (!include.angled) {
+          return starts_with_any(target, kPureCommon) ||
+                 (!core.empty() && starts_with(target, core)) ||
+                 (starts_with(core, kDrivers) && starts_with(target, kBridge + "core/"));
+        }
+        // fmt/format.h is C++20's <format>: text from values, no stream, no state.
+        return is_pure_standard_header(target) || starts_with(target, "Eigen/") ||
+               target == "fmt/format.h" || (is_plant && is_simbody(target));
+      });
 }
 
 Violations check_dds_includes(const SourceFile& file) {
@@ -142,6 +161,26 @@ Violations check_layers(const SourceFile& file) {
         if (file.is_in("common")) return false;
         if (file.is_in("tools")) return tool_may_include(file, to);
         return to[0] == "services" && to[1] == file.part(1);
+      });
+}
+
+Violations check_driver_includes(const SourceFile& file) {
+  if (!file.is_in(kBridge)) return {};
+  const std::string own = driver_of(file.path);
+  return refuse_unless(
+      file,
+      "a driver knows the bridge's core, the serial line and itself; the bridge knows of a driver "
+      "its config.hpp",
+      [&](const Include& include) {
+        const std::string& target = include.target;
+        if (include.angled) return true;
+        const std::string other = driver_of(target);
+        if (own.empty()) return other.empty() || target == kDrivers + other + "/config.hpp";
+        if (starts_with(target, "common/")) {
+          return starts_with_any(target, {"common/config/"}) ||
+                 starts_with_any(target, kPureCommon);
+        }
+        return starts_with(target, kBridge + "core/") || other == own || other == "serial";
       });
 }
 

@@ -14,7 +14,8 @@ namespace scarab::structure {
 /// or main.cpp.
 [[nodiscard]] Violations check_idl_types(const SourceFile& file);
 
-/// Who controls the robot does not know the ground truth (scarab/world_state).
+/// Who controls the robot does not know the ground truth (scarab/world_state). One file of the
+/// robot bridge reads the verdict in it, which ends the trial.
 [[nodiscard]] Violations check_ground_truth(const SourceFile& file);
 
 /// A service's main.cpp has fewer than 60 lines.

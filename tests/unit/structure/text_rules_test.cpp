@@ -50,6 +50,10 @@ TEST(GroundTruth, IsNotForControllers) {
   const std::string code = "bus::Reader<scarab_WorldState> reader(p, bus::kWorldState);";
   EXPECT_EQ(check_ground_truth(parse_source("services/supervisor/service.cpp", code)).size(), 2U);
   EXPECT_EQ(check_ground_truth(parse_source("services/premotor/adapter.hpp", code)).size(), 2U);
+  EXPECT_EQ(check_ground_truth(parse_source("services/robot_bridge/bridge_body.cpp", code)).size(),
+            2U);
+  EXPECT_TRUE(
+      check_ground_truth(parse_source("services/robot_bridge/referee_reader.hpp", code)).empty());
   EXPECT_TRUE(check_ground_truth(parse_source("services/experiment/service.cpp", code)).empty());
 }
 

@@ -56,6 +56,10 @@ TEST(Tree, LibrariesStayAtHome) { EXPECT_THAT(violations_of(check_library_homes)
 
 TEST(Tree, LayersAreKept) { EXPECT_THAT(violations_of(check_layers), IsEmpty()); }
 
+TEST(Tree, DriversOfARobotDoNotKnowEachOther) {
+  EXPECT_THAT(violations_of(check_driver_includes), IsEmpty());
+}
+
 TEST(Tree, MainsAreSmallAndOnlyStartTheirService) {
   EXPECT_THAT(violations_of(check_main_includes), IsEmpty());
   EXPECT_THAT(violations_of(check_main_length), IsEmpty());
