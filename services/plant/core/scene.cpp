@@ -97,9 +97,9 @@ robot::JointVector start_targets(const StartConfig& start) {
 }
 
 MotionState start_state(const Morphology& morphology, const PlantConfig& config,
-                        const Perturbation& perturbation) {
+                        const Perturbation& perturbation, const robot::JointVector& joint_rad) {
   MotionState state;
-  state.joint_rad = start_targets(config.start);
+  state.joint_rad = joint_rad;
   for (std::size_t j = 0; j < robot::kJointCount; ++j) {
     if (!morphology.joints[j].present) state.joint_rad[j] = 0;
   }
@@ -110,6 +110,11 @@ MotionState start_state(const Morphology& morphology, const PlantConfig& config,
   state.object_position =
       Eigen::Vector3d(-config.object.start_distance_m, 0, morphology.object_radius_m);
   return state;
+}
+
+MotionState start_state(const Morphology& morphology, const PlantConfig& config,
+                        const Perturbation& perturbation) {
+  return start_state(morphology, config, perturbation, start_targets(config.start));
 }
 
 }  // namespace scarab::plant

@@ -30,8 +30,14 @@ struct Perturbation {
 /// The stance of the start as joint targets, rad.
 [[nodiscard]] robot::JointVector start_targets(const StartConfig& start);
 
-/// Robot at rest in the start stance, its lowest foot touching the ground, trunk level; object at
-/// rest behind it (towards -x), touching the ground.
+/// Robot at rest with its joints at `joint_rad` (rad; an absent joint's is ignored), its lowest
+/// foot touching the ground, trunk level; object at rest behind it (towards -x), touching the
+/// ground.
+[[nodiscard]] MotionState start_state(const Morphology& morphology, const PlantConfig& config,
+                                      const Perturbation& perturbation,
+                                      const robot::JointVector& joint_rad);
+
+/// The same in the configured stance.
 [[nodiscard]] MotionState start_state(const Morphology& morphology, const PlantConfig& config,
                                       const Perturbation& perturbation);
 

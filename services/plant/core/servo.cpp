@@ -21,6 +21,11 @@ JointTorque servo_torque(const robot::Joint& joint, double reference_rad, double
   return {spring, damping};
 }
 
+JointTorque gear_drag(const robot::Joint& joint) {
+  constexpr double kShare = 0.1;
+  return {0, kShare * joint.kd_nm_s_rad};
+}
+
 JointTorque stop_torque(const JointStopConfig& stop, const robot::Joint& joint, double angle_rad,
                         double speed_rad_s, double dt_s) {
   const double beyond =

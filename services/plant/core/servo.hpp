@@ -21,6 +21,10 @@ struct JointTorque {
 [[nodiscard]] JointTorque servo_torque(const robot::Joint& joint, double reference_rad,
                                        double angle_rad, double speed_rad_s, double dt_s);
 
+/// A servo without power: its gear's drag alone, a tenth of the servo's damping (a reconstruction:
+/// nobody publishes it; a limp leg swings, and comes to rest within a second).
+[[nodiscard]] JointTorque gear_drag(const robot::Joint& joint);
+
 /// Stop at the ends of the joint's range: a stiff spring and damper that only push back.
 [[nodiscard]] JointTorque stop_torque(const JointStopConfig& stop, const robot::Joint& joint,
                                       double angle_rad, double speed_rad_s, double dt_s);

@@ -50,7 +50,8 @@ JointPresence presence(const Morphology& morphology) {
 
 class Simulation::Impl {
  public:
-  Impl(const robot::RobotModel& robot, const PlantConfig& config, const TrialSpec& trial)
+  Impl(const robot::RobotModel& robot, const PlantConfig& config, const TrialSpec& trial,
+       const robot::JointVector& start_rad)
       : config_(scene_config(config, trial)),
         trial_(trial),
         timing_(make_timing(config.timing)),
@@ -59,12 +60,12 @@ class Simulation::Impl {
         wall_(make_wall(config_, trial)),
         referee_(config.referee, trial, wall_),
         stepper_(morphology_, config_, wall_),
-        state_(start_state(morphology_, config_, perturbation(trial))),
+        state_(start_state(morphology_, config_, perturbation(trial), start_rad)),
         reference_(state_.joint_rad),
         sensors_(config.sensors, presence(morphology_), trial.seed, timing_.step_ns),
         encoder_offset_rad_(sensors_.encoder_offset_rad()),
-        commands_(config.commands, trial.seed, timing_.step_ns, start_targets(config.start)) {
-    settle();
+        commands_(config.commands, trial.seed, timing_.step_ns, start_rad) {
+    settle(start_rad);
     sensors_.see(measured());
     sensors_.sample(0);
     start_ = {state_.object_position.x(), state_.trunk_position};
@@ -93,6 +94,8 @@ class Simulation::Impl {
 
   [[nodiscard]] std::int64_t time_ns() const { return time_ns_; }
 
+  void power(const std::bitset<robot::kJointCount>& powered) { stepper_.power(powered); }
+
   void advance(const robot::JointVector& targets, const std::function<void()>& sample) {
     commands_.send(tick_++, step_, targets);
     for (std::int64_t i = 0; i < timing_.samples_per_tick; ++i) {
@@ -111,8 +114,7 @@ class Simulation::Impl {
   }
 
   /// The stance is reached on the ground before the trial's time begins.
-  void settle() {
-    const robot::JointVector targets = start_targets(config_.start);
+  void settle(const robot::JointVector& targets) {
     const auto steps = std::max<std::int64_t>(
         1, std::llround(config_.start.settle_s * 1e9 / static_cast<double>(timing_.step_ns)));
     for (std::int64_t i = 0; i < steps; ++i) step(targets);
@@ -163,7 +165,10 @@ class Simulation::Impl {
 
 Simulation::Simulation(const robot::RobotModel& robot, const PlantConfig& config,
                        const TrialSpec& trial)
-    : impl_(std::make_unique<Impl>(robot, config, trial)) {}
+    : Simulation(robot, config, trial, start_targets(config.start)) {}
+Simulation::Simulation(const robot::RobotModel& robot, const PlantConfig& config,
+                       const TrialSpec& trial, const robot::JointVector& start_rad)
+    : impl_(std::make_unique<Impl>(robot, config, trial, start_rad)) {}
 Simulation::~Simulation() = default;
 Simulation::Simulation(Simulation&&) noexcept = default;
 Simulation& Simulation::operator=(Simulation&&) noexcept = default;
@@ -171,6 +176,8 @@ Simulation& Simulation::operator=(Simulation&&) noexcept = default;
 Observation Simulation::observe() const { return impl_->observe(); }
 WorldTruth Simulation::truth() const { return impl_->truth(); }
 std::int64_t Simulation::time_ns() const { return impl_->time_ns(); }
+
+void Simulation::power(const std::bitset<robot::kJointCount>& powered) { impl_->power(powered); }
 
 void Simulation::advance(const robot::JointVector& targets, const std::function<void()>& sample) {
   impl_->advance(targets, sample);

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <bitset>
 #include <cstdint>
 #include <functional>
 #include <memory>
@@ -22,6 +23,9 @@ class Simulation {
   /// the configured stance (config.start) for config.start.settle_s before t = 0. Throws
   /// std::invalid_argument naming what is inconsistent.
   Simulation(const robot::RobotModel& robot, const PlantConfig& config, const TrialSpec& trial);
+  /// The same with the joints at `start_rad` (rad, joint slots) in place of the configured stance.
+  Simulation(const robot::RobotModel& robot, const PlantConfig& config, const TrialSpec& trial,
+             const robot::JointVector& start_rad);
   ~Simulation();
   Simulation(Simulation&& other) noexcept;
   Simulation& operator=(Simulation&& other) noexcept;
@@ -33,6 +37,10 @@ class Simulation {
   [[nodiscard]] WorldTruth truth()
       const;  ///< ground truth, the referee's verdict (adapter: world_state)
   [[nodiscard]] std::int64_t time_ns() const;
+
+  /// Which servos have power from now on, by joint slot; all have it at the start. A servo without
+  /// gives no torque, and when its power comes back it begins from where its joint then is.
+  void power(const std::bitset<robot::kJointCount>& powered);
 
   /// Simulates one control tick towards `targets` (rad, joint slots; zero-order hold); calls
   /// `sample`, if given, after every sensor period inside it, but for the one that ends the tick

@@ -60,8 +60,13 @@ void Stepper::add_joints(const robot::JointVector& targets_rad, double dt_s,
     if (!joint.present) continue;
     const Index at = joint_speed(j);
     const double speed = state.speed(at);
-    reference_rad[j] = slew(joint, reference_rad[j], targets_rad[j], dt_s);
-    servo_[j] = servo_torque(joint, reference_rad[j], state.joint_rad[j], speed, dt_s);
+    if (powered_[j]) {
+      reference_rad[j] = slew(joint, reference_rad[j], targets_rad[j], dt_s);
+      servo_[j] = servo_torque(joint, reference_rad[j], state.joint_rad[j], speed, dt_s);
+    } else {
+      reference_rad[j] = state.joint_rad[j];
+      servo_[j] = gear_drag(joint);
+    }
     const JointTorque stop =
         stop_torque(config_.joint_stop, joint, state.joint_rad[j], speed, dt_s);
     const double damping = servo_[j].damping_nm_s_rad + stop.damping_nm_s_rad;
@@ -140,7 +145,9 @@ void Stepper::step(const robot::JointVector& targets_rad, double dt_s,
   state.speed = speed_;
   resolve();
   for (std::size_t j = 0; j < robot::kJointCount; ++j) {
-    servo_torque_[j] = servo_[j].torque_nm - servo_[j].damping_nm_s_rad * speed_(joint_speed(j));
+    // What a servo tells comes from its current, and without power there is none.
+    servo_torque_[j] =
+        powered_[j] ? servo_[j].torque_nm - servo_[j].damping_nm_s_rad * speed_(joint_speed(j)) : 0;
   }
   integrate_position(state, dt_s);
 }

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <bitset>
 #include <cstdint>
 #include <vector>
 
@@ -43,6 +44,11 @@ class Stepper {
   void step(const robot::JointVector& targets_rad, double dt_s, robot::JointVector& reference_rad,
             MotionState& state);
 
+  /// From the next step on only servos with power give a torque; all have it at the start. One
+  /// without is dragged along by its joint, and its reference with it, so that it begins where the
+  /// joint is when its power comes back.
+  void power(const std::bitset<robot::kJointCount>& powered) { powered_ = powered; }
+
   /// Of the last step. Forces are those that acted over it.
   [[nodiscard]] const std::vector<ResolvedContact>& contacts() const { return resolved_; }
   [[nodiscard]] const robot::JointVector& servo_torque_nm() const { return servo_torque_; }
@@ -66,6 +72,8 @@ class Stepper {
   BranchSolver solver_;
   Collision collision_;
   ContactLaw contact_law_;
+
+  std::bitset<robot::kJointCount> powered_ = std::bitset<robot::kJointCount>().set();
 
   // Scratch, kept to avoid allocation.
   Kinematics kinematics_;
