@@ -97,7 +97,7 @@ void TickMaster::run_trial() {
     status_.publish_if_due();
     return;
   }
-  gate_.begin_trial(trial_, body_.held_rad());
+  gate_.begin_trial(trial_, body_.held_rad(), body_.home_rad());
   desk_.begin_trial();
   await_start();
   pacer_.restart(Clock::now());
@@ -189,7 +189,7 @@ void TickMaster::take_operator() {
   const bool in_trial = status_.lifecycle() == scarab_LIFECYCLE_ACTIVE;
   if (requests.stop && in_trial && !body_.verdict()) body_.end({false, *requests.stop});
   if (requests.emergency_stop) gate_.emergency_stop(*requests.emergency_stop);
-  if (requests.reset) gate_.reset();
+  if (requests.reset) gate_.reset(gate_.target_rad());
   if (requests.emergency_stop || requests.reset) report_gate();
 }
 

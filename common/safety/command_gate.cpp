@@ -19,9 +19,13 @@ CommandGate::CommandGate(const robot::RobotModel& robot, const GateOptions& opti
       options_(options),
       limiter_(robot, options.tick_period_s, options.homing_velocity_rad_s) {}
 
-void CommandGate::begin_trial(std::uint32_t trial, const robot::JointVector& held_rad) {
+void CommandGate::begin_trial(std::uint32_t trial, const robot::JointVector& held_rad,
+                              const robot::JointVector& home_rad) {
+  end_trial();
   limiter_.start_from(held_rad);
-  home_rad_ = held_rad;
+  home_rad_ = limiter_.reachable(home_rad);
+  // Who was put at a home beyond its range by hand stays there until the first command.
+  homing_ = held_rad != home_rad && limiter_.target_rad() != home_rad_;
   trial_ = trial;
   expected_.reset();
   answered_ = false;
@@ -39,16 +43,15 @@ void CommandGate::expect(std::uint32_t tick) {
   stale_ticks_ = expected_ && !answered_ ? stale_ticks_ + 1 : 0;
   const bool too_many =
       options_.stale_ticks_limit > 0 && stale_ticks_ >= options_.stale_ticks_limit;
-  if (too_many && !safe_stop_) {
-    hold("no valid joint_command for " + std::to_string(stale_ticks_) + " ticks");
-  }
+  if (too_many) safe_stop("no valid joint_command for " + std::to_string(stale_ticks_) + " ticks");
   expected_ = tick;
   answered_ = false;
-  if (homing_ && !safe_stop_) go_home();
+  advance_homing();
 }
 
-void CommandGate::go_home() {
-  homing_ = !limiter_.is_at(home_rad_);
+void CommandGate::advance_homing() {
+  if (!homing_ || safe_stop_) return;
+  homing_ = limiter_.target_rad() != home_rad_;
   if (homing_) limiter_.advance_home(home_rad_);
 }
 
@@ -113,14 +116,19 @@ void CommandGate::emergency_stop(std::string reason) noexcept {
   hold(std::move(reason));
 }
 
+void CommandGate::safe_stop(std::string reason) noexcept {
+  if (!safe_stop_) hold(std::move(reason));
+}
+
 void CommandGate::hold(std::string reason) noexcept {
   counters_.safe_stops += safe_stop_ ? 0 : 1;
   safe_stop_ = true;
   safe_stop_reason_ = std::move(reason);
 }
 
-void CommandGate::reset() noexcept {
+void CommandGate::reset(const robot::JointVector& held_rad) {
   if (!safe_stop_) return;
+  limiter_.start_from(held_rad);
   safe_stop_ = emergency_ = false;
   safe_stop_reason_.clear();
   stale_ticks_ = 0;

@@ -36,9 +36,9 @@ struct Offer {
 ///
 /// A trial is active between begin_trial() and end_trial(). For each tick the tick master calls
 /// expect(), offers what arrives, and applies target_rad(). In safe stop the targets hold still,
-/// whatever arrives; only reset() ends it, and then all joints go home, slowly and tick by tick, to
-/// where they stood at the start of the trial, before commands count again. An ended or a new trial
-/// does not end a safe stop.
+/// whatever arrives; only reset() ends it, and then all joints go home, slowly and tick by tick,
+/// before commands count again. So do those of a robot that does not stand at home when its trial
+/// begins. An ended or a new trial does not end a safe stop.
 class CommandGate {
  public:
   /// Throws std::invalid_argument if an option is not above 0 where it must be.
@@ -46,14 +46,18 @@ class CommandGate {
   CommandGate(const robot::RobotModel& robot, double tick_period_s)
       : CommandGate(robot, GateOptions{tick_period_s, GateOptions{}.homing_velocity_rad_s, 0}) {}
 
-  /// `held_rad`: where the robot stands, from now on its home; throws std::invalid_argument if not
-  /// finite.
-  void begin_trial(std::uint32_t trial, const robot::JointVector& held_rad);
+  /// `held_rad`: where the joints stand; `home_rad`: the trial's start pose, to which they go as
+  /// far as their ranges let them, now and after a reset. Throws std::invalid_argument if one is
+  /// not finite; then no trial is active.
+  void begin_trial(std::uint32_t trial, const robot::JointVector& held_rad,
+                   const robot::JointVector& home_rad);
   void end_trial() noexcept;
 
-  /// The tick whose answer is wanted from now on; all earlier ones are over. While homing it moves
-  /// the targets by one tick, and ends the homing when they have been at home for a tick.
+  /// The tick whose answer is wanted from now on; all earlier ones are over. Moves a homing on.
   void expect(std::uint32_t tick);
+  /// Moves the targets of a homing by one tick, and ends it when they have been at home for a tick;
+  /// nothing outside a homing or in safe stop. For the homing before the first tick.
+  void advance_homing();
   /// Where the joints stand now (rad): lets the torque limit act on the next command. Only for
   /// servos that have no torque limit of their own.
   void observe(const robot::JointVector& measured_rad) { measured_rad_ = measured_rad; }
@@ -62,20 +66,23 @@ class CommandGate {
   /// What to apply (rad, joint slots): always finite, 0 for absent joints.
   [[nodiscard]] const robot::JointVector& target_rad() const { return limiter_.target_rad(); }
 
-  /// Latched until reset(). Its reason takes the place of that of a safe stop which the gate itself
-  /// has begun, not of an earlier emergency stop.
+  /// A person's. Its reason takes the place of that of a safe stop, not of an earlier emergency
+  /// stop.
   void emergency_stop(std::string reason) noexcept;
-  void reset() noexcept;
+  /// Something the robot or its device tells. The first reason of a safe stop stays.
+  void safe_stop(std::string reason) noexcept;
+  /// Ends the safe stop, however it came; then the joints go home from `held_rad`, where they
+  /// stand. Throws std::invalid_argument if that is not finite: the safe stop stays.
+  void reset(const robot::JointVector& held_rad);
   /// Targets hold still; a driver whose robot asks for it drops the torque meanwhile.
   [[nodiscard]] bool in_safe_stop() const noexcept { return safe_stop_; }
   [[nodiscard]] const std::string& safe_stop_reason() const noexcept { return safe_stop_reason_; }
-  /// On the slow way home after a safe stop.
+  /// On the slow way home.
   [[nodiscard]] bool homing() const noexcept { return homing_; }
 
   [[nodiscard]] const GateCounters& counters() const noexcept { return counters_; }
 
  private:
-  void go_home();
   void hold(std::string reason) noexcept;
   Verdict judge(const Offer& offer);
   Verdict accept(const Offer& offer);

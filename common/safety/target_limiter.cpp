@@ -31,13 +31,17 @@ TargetLimiter::TargetLimiter(robot::RobotModel robot, double tick_period_s,
 }
 
 void TargetLimiter::start_from(const robot::JointVector& held_rad) {
+  require_finite(held_rad, "held position");
   for (std::size_t slot = 0; slot < robot::kJointCount; ++slot) {
-    const bool present = robot_.joints[slot].present;
-    if (present && !std::isfinite(held_rad[slot])) {
-      throw std::invalid_argument("TargetLimiter: the held position of " +
-                                  std::string(robot::kJointNames[slot]) + " is not finite");
-    }
-    target_rad_[slot] = present ? held_rad[slot] : 0.0;
+    target_rad_[slot] = robot_.joints[slot].present ? held_rad[slot] : 0.0;
+  }
+}
+
+void TargetLimiter::require_finite(const robot::JointVector& angles_rad, const char* what) const {
+  for (std::size_t slot = 0; slot < robot::kJointCount; ++slot) {
+    if (!robot_.joints[slot].present || std::isfinite(angles_rad[slot])) continue;
+    throw std::invalid_argument("TargetLimiter: the " + std::string(what) + " of " +
+                                std::string(robot::kJointNames[slot]) + " is not finite");
   }
 }
 
@@ -71,13 +75,14 @@ void TargetLimiter::advance_home(const robot::JointVector& home_rad) {
     const robot::Joint& joint = robot_.joints[slot];
     if (!joint.present) continue;
     target_rad_[slot] =
-        within_window(target_rad_[slot], robot::clipped_to_range(joint, home_rad[slot]),
+        within_window(target_rad_[slot], home_rad[slot],
                       std::min(homing_velocity_rad_s_, joint.velocity_max_rad_s), tick_period_s_);
   }
 }
 
-bool TargetLimiter::is_at(const robot::JointVector& home_rad) const {
-  return target_rad_ == robot::clipped_to_ranges(robot_, home_rad);
+robot::JointVector TargetLimiter::reachable(const robot::JointVector& home_rad) const {
+  require_finite(home_rad, "start pose");
+  return robot::clipped_to_ranges(robot_, home_rad);
 }
 
 }  // namespace scarab::safety

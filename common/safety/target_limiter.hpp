@@ -17,7 +17,7 @@ class TargetLimiter {
   TargetLimiter(robot::RobotModel robot, double tick_period_s, double homing_velocity_rad_s);
 
   /// Sets the targets as they are given: where the robot stands. Throws std::invalid_argument if
-  /// one of a present joint is not finite.
+  /// one of a present joint is not finite; then they are as before.
   void start_from(const robot::JointVector& held_rad);
 
   /// One tick's move towards `wanted_rad` (finite). Absent joints stay at 0. With `measured_rad`
@@ -25,14 +25,16 @@ class TargetLimiter {
   void advance(const robot::JointVector& wanted_rad,
                const std::optional<robot::JointVector>& measured_rad, GateCounters& counters);
 
-  /// One tick's slow move towards `home_rad`, inside the joints' ranges.
+  /// One tick's slow move towards `home_rad` (reachable).
   void advance_home(const robot::JointVector& home_rad);
-  /// All targets are as near to `home_rad` as the joints' ranges let them.
-  [[nodiscard]] bool is_at(const robot::JointVector& home_rad) const;
+  /// `home_rad` as far as the joints' ranges let them; 0 for absent joints. Throws
+  /// std::invalid_argument if one of a present joint is not finite.
+  [[nodiscard]] robot::JointVector reachable(const robot::JointVector& home_rad) const;
 
   [[nodiscard]] const robot::JointVector& target_rad() const { return target_rad_; }
 
  private:
+  void require_finite(const robot::JointVector& angles_rad, const char* what) const;
   [[nodiscard]] double limited(std::size_t slot, double wanted_rad,
                                const std::optional<robot::JointVector>& measured_rad,
                                GateCounters& counters);

@@ -12,18 +12,18 @@ PlantBody::PlantBody(bus::Participant& participant, robot::RobotModel robot, Pla
 
 void PlantBody::begin(const scarab_Trial& trial) {
   simulation_ = std::make_unique<Simulation>(robot_, config_, to_trial_spec(trial));
+  held_rad_ = home_rad();
   ended_.reset();
 }
 
 std::int64_t PlantBody::time_ns() const { return simulation_->time_ns(); }
 
-void PlantBody::observe(scarab_RobotState& state) const {
-  fill(state, simulation_->observe(), robot_);
-}
+void PlantBody::observe(scarab_RobotState& state) { fill(state, simulation_->observe(), robot_); }
 
-robot::JointVector PlantBody::held_rad() const { return start_targets(config_.start); }
+robot::JointVector PlantBody::home_rad() const { return start_targets(config_.start); }
 
 void PlantBody::advance(const robot::JointVector& target_rad, const std::function<void()>& sample) {
+  held_rad_ = target_rad;
   simulation_->advance(target_rad, sample);
 }
 

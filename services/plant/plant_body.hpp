@@ -17,8 +17,9 @@ class PlantBody : public runtime::TickBody {
 
   void begin(const scarab_Trial& trial) override;
   [[nodiscard]] std::int64_t time_ns() const override;
-  void observe(scarab_RobotState& state) const override;
-  [[nodiscard]] robot::JointVector held_rad() const override;
+  void observe(scarab_RobotState& state) override;
+  [[nodiscard]] robot::JointVector held_rad() const override { return held_rad_; }
+  [[nodiscard]] robot::JointVector home_rad() const override;
   void advance(const robot::JointVector& target_rad, const std::function<void()>& sample) override;
   [[nodiscard]] std::optional<runtime::TrialEnd> verdict() const override;
   void end(const runtime::TrialEnd& end) override;
@@ -32,6 +33,7 @@ class PlantBody : public runtime::TickBody {
   PlantConfig config_;
   bus::Writer<scarab_WorldState> worlds_;
   std::unique_ptr<Simulation> simulation_;
+  robot::JointVector held_rad_{};           // the last targets
   std::optional<runtime::TrialEnd> ended_;  // from outside, in place of the referee's verdict
   std::vector<scarab_Contact> contacts_;
 };

@@ -29,7 +29,8 @@ class Trial {
         machine_state_(machine_.initial_state()),
         controller_(configuration.premotor, configuration.robot),
         network_state_(controller_.initial_state(trial.seed, trial.perturb_cpg_phase)) {
-    gate_.begin_trial(trial.header.trial, plant::start_targets(configuration.plant.start));
+    const robot::JointVector start_rad = plant::start_targets(configuration.plant.start);
+    gate_.begin_trial(trial.header.trial, start_rad, start_rad);
   }
 
   void run() {

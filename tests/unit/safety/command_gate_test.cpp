@@ -51,7 +51,7 @@ TEST(CommandGate, HoldsItsTargetsOnStop) {
 TEST(CommandGate, RefusesWhenNoTrialRuns) {
   CommandGate gate(small_robot(), kTickPeriod);
   expect_refused(gate, position(0, 0.1), Outcome::kInactive);
-  gate.begin_trial(1, all(0));
+  gate.begin_trial(1, all(0), all(0));
   gate.expect(0);
   gate.end_trial();
   expect_refused(gate, position(0, 0.1), Outcome::kInactive);
@@ -60,7 +60,7 @@ TEST(CommandGate, RefusesWhenNoTrialRuns) {
 TEST(CommandGate, RefusesAnotherTrial) {
   CommandGate gate = ready_gate();
   expect_refused(gate, position(0, 0.1, 2), Outcome::kWrongTrial);
-  gate.begin_trial(2, all(0));
+  gate.begin_trial(2, all(0), all(0));
   gate.expect(0);
   expect_refused(gate, position(0, 0.1, 1), Outcome::kWrongTrial);
 }
@@ -70,7 +70,7 @@ TEST(CommandGate, RefusesTicksThatAreOverOrNotYetAsked) {
   expect_refused(gate, position(1, 0.1), Outcome::kFutureTick);
   gate.expect(1);
   expect_refused(gate, position(0, 0.1), Outcome::kStaleTick);
-  gate.begin_trial(2, all(0));
+  gate.begin_trial(2, all(0), all(0));
   expect_refused(gate, position(0, 0.1, 2), Outcome::kFutureTick);
 }
 
@@ -127,7 +127,7 @@ TEST(CommandGate, ComparesALateReplicaWithTheAnswerThatWasTaken) {
 TEST(CommandGate, ForgetsAnswersOfATrialWhenTheNextBegins) {
   CommandGate gate = ready_gate();
   gate.offer(position(0, 0.1));
-  gate.begin_trial(2, all(0));
+  gate.begin_trial(2, all(0), all(0));
   gate.expect(0);
   EXPECT_EQ(gate.offer(position(0, 0.05, 2)).outcome, Outcome::kAccepted);
 }
@@ -149,7 +149,7 @@ TEST(CommandGate, CountsUnderDistinctNamesThatFitServiceStatus) {
 TEST(CommandGate, RefusesNonsenseFromItsOwner) {
   EXPECT_THROW(CommandGate(small_robot(), 0.0), std::invalid_argument);
   CommandGate gate(small_robot(), kTickPeriod);
-  EXPECT_THROW(gate.begin_trial(1, all(std::nan(""))), std::invalid_argument);
+  EXPECT_THROW(gate.begin_trial(1, all(std::nan("")), all(0)), std::invalid_argument);
 }
 
 }  // namespace

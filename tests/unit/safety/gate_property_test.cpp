@@ -67,7 +67,7 @@ TEST_P(GateProperty, TargetsStayFiniteInRangeAndInTheWindow) {
   for (std::uint32_t tick = 0; tick < kTicks; ++tick) {
     gate.expect(tick);
     if (dice.chance(0.02)) gate.emergency_stop("dice");
-    if (dice.chance(0.1)) gate.reset();
+    if (dice.chance(0.1)) gate.reset(gate.target_rad());
     if (dice.chance(0.1)) gate.observe(all(dice.uniform(-1, 0.5)));
     const robot::JointVector before = gate.target_rad();
     bool accepted = false;

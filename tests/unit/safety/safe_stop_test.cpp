@@ -40,7 +40,7 @@ TEST(SafeStop, OfAPersonTakesOverFromTheGatesOwn) {
   gate.expect(50);
   gate.expect(60);
   EXPECT_EQ(gate.safe_stop_reason(), "operator");
-  gate.reset();
+  gate.reset(gate.target_rad());
   gate.emergency_stop("operator, again");
   EXPECT_EQ(gate.safe_stop_reason(), "operator, again");
 }
@@ -49,7 +49,7 @@ TEST(SafeStop, OutlivesTheTrial) {
   CommandGate gate = ready_gate();
   gate.emergency_stop("operator");
   gate.end_trial();
-  gate.begin_trial(2, all(0.3));
+  gate.begin_trial(2, all(0.3), all(0.3));
   gate.expect(0);
   gate.offer(position(0, 0.1, 2));
   EXPECT_TRUE(gate.in_safe_stop());
@@ -58,7 +58,6 @@ TEST(SafeStop, OutlivesTheTrial) {
 
 TEST(SafeStop, NeverThrows) {
   static_assert(noexcept(std::declval<CommandGate&>().emergency_stop(std::string())));
-  static_assert(noexcept(std::declval<CommandGate&>().reset()));
   static_assert(noexcept(std::declval<CommandGate&>().end_trial()));
   CommandGate gate(small_robot(), kTickPeriod);  // not even in a trial
   gate.emergency_stop("crash");
@@ -109,7 +108,7 @@ CommandGate reset_gate(double away_rad, std::uint32_t& tick) {
   EXPECT_EQ(gate.target_rad()[0], away_rad);
   gate.emergency_stop("operator");
   gate.expect(tick++);
-  gate.reset();
+  gate.reset(gate.target_rad());
   return gate;
 }
 
@@ -150,16 +149,16 @@ TEST(Homing, StopsForAnotherSafeStopAndGoesOnAfterIt) {
   const double held = gate.target_rad()[0];
   for (int i = 0; i < 5; ++i) gate.expect(++tick);
   EXPECT_EQ(gate.target_rad()[0], held);
-  gate.reset();
+  gate.reset(gate.target_rad());
   gate.expect(++tick);
   EXPECT_NEAR(gate.target_rad()[0], held - kHomingWindow, 1e-12);
 }
 
 TEST(Homing, EndsAtTheRangeOfAJointThatCannotReachItsHome) {
   CommandGate gate(small_robot(), GateOptions{kTickPeriod, 0.5, 0});
-  gate.begin_trial(1, all(5.0));  // put there by hand, beyond the range
+  gate.begin_trial(1, all(5.0), all(5.0));  // put there by hand, beyond the range
   gate.emergency_stop("operator");
-  gate.reset();
+  gate.reset(gate.target_rad());
   std::uint32_t tick = 0;
   for (; gate.homing() && tick < 1000; ++tick) gate.expect(tick);
   EXPECT_LT(tick, 1000U);
@@ -168,7 +167,7 @@ TEST(Homing, EndsAtTheRangeOfAJointThatCannotReachItsHome) {
 
 TEST(Homing, IsNeededOnlyAfterASafeStop) {
   CommandGate gate = ready_gate();
-  gate.reset();
+  gate.reset(gate.target_rad());
   EXPECT_FALSE(gate.homing());
   gate.offer(position(0, 0.5));
   EXPECT_NEAR(gate.target_rad()[0], kWindow, 1e-12);

@@ -37,7 +37,7 @@ inline Offer stop(std::uint32_t tick, std::uint32_t trial = 1) { return {trial, 
 /// In trial 1, standing at 0, asked for tick 0.
 inline CommandGate ready_gate(std::uint32_t stale_ticks_limit = 0) {
   CommandGate gate(small_robot(), GateOptions{kTickPeriod, 0.5, stale_ticks_limit});
-  gate.begin_trial(1, all(0));
+  gate.begin_trial(1, all(0), all(0));
   gate.expect(0);
   return gate;
 }
