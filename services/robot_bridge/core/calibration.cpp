@@ -20,4 +20,15 @@ JointRange reach(const JointCalibration& c) noexcept {
   return {std::min(a, b), std::max(a, b)};
 }
 
+robot::RobotModel within_reach(robot::RobotModel robot, const Calibration& c) {
+  for (std::size_t slot = 0; slot < robot.joints.size(); ++slot) {
+    robot::Joint& joint = robot.joints[slot];
+    if (!joint.present || !c.joints[slot]) continue;
+    const JointRange range = reach(*c.joints[slot]);
+    joint.min_rad = std::max(joint.min_rad, range.min_rad);
+    joint.max_rad = std::min(joint.max_rad, range.max_rad);
+  }
+  return robot;
+}
+
 }  // namespace scarab::bridge

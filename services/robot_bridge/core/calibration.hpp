@@ -4,6 +4,7 @@
 #include <optional>
 
 #include "common/robot/joints.hpp"
+#include "common/robot/robot_model.hpp"
 
 /// From the angles of joints to those of servos and back.
 ///
@@ -47,5 +48,10 @@ struct JointRange {
 
 /// The joint's angles that its servo can reach.
 [[nodiscard]] JointRange reach(const JointCalibration& c) noexcept;
+
+/// The robot with the range of each joint cut to what its servo can reach, so that the command gate
+/// clamps, counts and reports what the servo could not do. A range may come out empty (min above
+/// max); joints without a calibration stay as they are.
+[[nodiscard]] robot::RobotModel within_reach(robot::RobotModel robot, const Calibration& c);
 
 }  // namespace scarab::bridge

@@ -42,6 +42,23 @@ TEST(Calibration, ReachIsWhatTheServosRangeLetsTheJointDo) {
   EXPECT_DOUBLE_EQ(to_servo_rad(kTurned, range.max_rad), kTurned.min_rad);
 }
 
+TEST(Calibration, ARobotIsCutToWhatItsServosReach) {
+  robot::RobotModel robot;
+  for (robot::Joint& joint : robot.joints) {
+    joint.min_rad = -1.0;
+    joint.max_rad = 1.0;
+  }
+  robot.joints[2].present = false;
+  Calibration calibration;
+  calibration.joints[0] = kTurned;
+  calibration.joints[2] = kTurned;
+  const robot::RobotModel cut = within_reach(robot, calibration);
+  EXPECT_DOUBLE_EQ(cut.joints[0].min_rad, -0.8);
+  EXPECT_DOUBLE_EQ(cut.joints[0].max_rad, 1.0);
+  EXPECT_DOUBLE_EQ(cut.joints[1].min_rad, -1.0) << "no servo is known to limit it";
+  EXPECT_DOUBLE_EQ(cut.joints[2].min_rad, -1.0) << "the robot lacks it";
+}
+
 TEST(Calibration, OfNoServoUnlessSaid) {
   for (const auto& joint : Calibration{}.joints) EXPECT_FALSE(joint.has_value());
 }
