@@ -20,25 +20,26 @@ std::string_view name_of(LifecycleState state) noexcept {
 }
 
 void Lifecycle::configure() {
-  require(LifecycleState::kUnconfigured, "configure");
+  if (state_ != LifecycleState::kUnconfigured) refuse("configure");
   driver_.open();
+  has_torque_switch_ = driver_.capabilities().torque_switch;
   state_ = LifecycleState::kInactive;
 }
 
 void Lifecycle::activate(const robot::JointVector& hold_rad) {
-  require(LifecycleState::kInactive, "activate");
+  if (!open()) refuse("activate");
   // Active from the first byte on: some motors may be on when a later one fails.
   state_ = LifecycleState::kActive;
   try {
     driver_.activate(hold_rad);
   } catch (...) {
-    if (!deactivate()) fail();
+    if (!deactivate()) give_up();
     throw;
   }
 }
 
 Readings Lifecycle::read() {
-  if (state_ != LifecycleState::kActive) require(LifecycleState::kInactive, "read");
+  if (!open()) refuse("read");
   try {
     return driver_.read();
   } catch (...) {
@@ -48,7 +49,7 @@ Readings Lifecycle::read() {
 }
 
 void Lifecycle::write(const robot::JointVector& target_rad) {
-  require(LifecycleState::kActive, "write");
+  if (state_ != LifecycleState::kActive) refuse("write");
   try {
     driver_.write(target_rad);
   } catch (...) {
@@ -64,20 +65,24 @@ bool Lifecycle::hold() noexcept {
 bool Lifecycle::deactivate() noexcept {
   if (state_ != LifecycleState::kActive) return true;
   state_ = LifecycleState::kInactive;
-  return confirmed(driver_.release());
+  const bool released = driver_.release();
+  return !has_torque_switch_ || confirmed(released);
 }
 
 void Lifecycle::finalise() noexcept {
   if (state_ == LifecycleState::kFinalised) return;
   deactivate();
-  if (state_ == LifecycleState::kInactive) driver_.close();
+  if (open()) driver_.close();
   state_ = LifecycleState::kFinalised;
 }
 
-void Lifecycle::require(LifecycleState state, std::string_view call) const {
-  if (state_ == state) return;
-  throw std::logic_error(std::string(call) + ": the device is " + std::string(name_of(state_)) +
-                         ", not " + std::string(name_of(state)));
+bool Lifecycle::open() const noexcept {
+  return state_ == LifecycleState::kInactive || state_ == LifecycleState::kActive;
+}
+
+void Lifecycle::refuse(std::string_view call) const {
+  throw std::logic_error("the device is " + std::string(name_of(state_)) + ": no " +
+                         std::string(call));
 }
 
 bool Lifecycle::confirmed(bool by_device) noexcept {
@@ -85,17 +90,21 @@ bool Lifecycle::confirmed(bool by_device) noexcept {
   return by_device;
 }
 
-/// The device is given up: what can still be stopped is stopped, then the line is closed, so that
-/// the device's own time-out does the rest.
-void Lifecycle::fail() noexcept {
+void Lifecycle::give_up() noexcept {
+  if (!open()) return;
   ++failures_;
+  driver_.close();
+  state_ = LifecycleState::kUnconfigured;
+}
+
+/// What can still be stopped is stopped before the device is given up.
+void Lifecycle::fail() noexcept {
   if (safe_stop_ == SafeStop::kHold) {
     hold();
   } else {
     deactivate();
   }
-  driver_.close();
-  state_ = LifecycleState::kUnconfigured;
+  give_up();
 }
 
 }  // namespace scarab::bridge

@@ -20,7 +20,7 @@ enum class SafeStop { kHold, kRelease };
 /// error ends in one where they are off as far as the device can still be told:
 ///
 ///     unconfigured --configure--> inactive --activate--> active --deactivate--> inactive
-///     any --DeviceError--> unconfigured      any --finalise--> finalised
+///     inactive, active --DeviceError, give_up--> unconfigured      any --finalise--> finalised
 ///
 /// A call that its state does not allow throws std::logic_error and touches no device.
 class Lifecycle {
@@ -33,8 +33,9 @@ class Lifecycle {
 
   /// Opens the device. Throws DeviceError; then it stays unconfigured.
   void configure();
-  /// Motors on, holding `hold_rad`. Throws DeviceError; then they are off again, and the device is
-  /// inactive, or unconfigured if it did not even confirm that.
+  /// Motors on, holding `hold_rad`; those that are on already (after hold()) stay on. Throws
+  /// DeviceError; then they are off again, and the device is inactive, or unconfigured if it did
+  /// not even confirm that.
   void activate(const robot::JointVector& hold_rad);
   /// One exchange. Throws DeviceError; then it is unconfigured.
   Readings read();
@@ -43,8 +44,11 @@ class Lifecycle {
   /// Safe stop with torque: it stays active. False: the device did not confirm it. Does nothing
   /// unless active.
   bool hold() noexcept;
-  /// Motors off. False: the device did not confirm it. Does nothing unless active.
+  /// Motors off. False: the device did not confirm it; one without a switch is not asked to. Does
+  /// nothing unless active.
   bool deactivate() noexcept;
+  /// The device is closed without another word to it: its own time-out does the rest.
+  void give_up() noexcept;
   /// Motors off, device closed, for good.
   void finalise() noexcept;
 
@@ -55,12 +59,14 @@ class Lifecycle {
   [[nodiscard]] std::uint64_t unconfirmed_stops() const noexcept { return unconfirmed_stops_; }
 
  private:
-  void require(LifecycleState state, std::string_view call) const;
+  [[noreturn]] void refuse(std::string_view call) const;
+  [[nodiscard]] bool open() const noexcept;
   bool confirmed(bool by_device) noexcept;
   void fail() noexcept;
 
   Driver& driver_;
   SafeStop safe_stop_;
+  bool has_torque_switch_ = false;
   LifecycleState state_ = LifecycleState::kUnconfigured;
   std::uint64_t failures_ = 0;
   std::uint64_t unconfirmed_stops_ = 0;

@@ -5,7 +5,8 @@
 
 #include <stdexcept>
 #include <string>
-#include <vector>
+
+#include "tests/unit/robot_bridge/core/noting_driver.hpp"
 
 namespace scarab::bridge {
 namespace {
@@ -17,48 +18,6 @@ constexpr auto kUnconfigured = LifecycleState::kUnconfigured;
 constexpr auto kInactive = LifecycleState::kInactive;
 constexpr auto kActive = LifecycleState::kActive;
 constexpr auto kFinalised = LifecycleState::kFinalised;
-
-/// Notes what it is told; fails where it is told to.
-class NotingDriver : public Driver {
- public:
-  void open() override { note("open"); }
-  void close() noexcept override { calls.emplace_back("close"); }
-  Readings read() override {
-    note("read");
-    return {};
-  }
-  void activate(const robot::JointVector& hold_rad) override {
-    held_rad = hold_rad;
-    note("activate");
-  }
-  void write(const robot::JointVector& target_rad) override {
-    written_rad = target_rad;
-    note("write");
-  }
-  bool hold() noexcept override { return stop("hold"); }
-  bool release() noexcept override { return stop("release"); }
-  [[nodiscard]] Capabilities capabilities() const override { return {}; }
-  [[nodiscard]] std::vector<std::pair<std::string, std::uint64_t>> counters() const override {
-    return {};
-  }
-  [[nodiscard]] std::optional<CrashFrame> crash_frame() const override { return std::nullopt; }
-
-  std::vector<std::string> calls;
-  std::string fails;  // the call that throws
-  bool stops = true;  // hold() and release() are confirmed
-  robot::JointVector held_rad{};
-  robot::JointVector written_rad{};
-
- private:
-  void note(const std::string& call) {
-    calls.push_back(call);
-    if (call == fails) throw DeviceError("no answer to " + call);
-  }
-  bool stop(const char* call) noexcept {
-    calls.emplace_back(call);
-    return stops;
-  }
-};
 
 class LifecycleTest : public testing::Test {
  protected:
@@ -103,11 +62,14 @@ TEST_F(LifecycleTest, HoldingStaysActive) {
   EXPECT_THAT(driver_.calls, ElementsAre("hold"));
 }
 
-TEST_F(LifecycleTest, IsActivatedAgainAfterARelease) {
+TEST_F(LifecycleTest, IsActivatedAgainAfterAStopOfEitherKind) {
   bring_to(kActive);
   lifecycle_.deactivate();
   lifecycle_.activate({});
+  lifecycle_.hold();
+  lifecycle_.activate({});
   EXPECT_EQ(lifecycle_.state(), kActive);
+  EXPECT_THAT(driver_.calls, ElementsAre("release", "activate", "hold", "activate"));
 }
 
 TEST_F(LifecycleTest, AFailedOpeningLeavesItUnconfigured) {
@@ -184,6 +146,21 @@ TEST_F(LifecycleTest, StopsThatAreNotConfirmedAreCountedAndStopAllTheSame) {
   EXPECT_EQ(lifecycle_.unconfirmed_stops(), 2U);
 }
 
+TEST_F(LifecycleTest, ADeviceWithoutASwitchIsNotAskedToConfirm) {
+  driver_.has_switch = driver_.stops = false;
+  bring_to(kActive);
+  EXPECT_TRUE(lifecycle_.deactivate());
+  EXPECT_THAT(driver_.calls, ElementsAre("release"));
+  EXPECT_EQ(lifecycle_.unconfirmed_stops(), 0U);
+}
+
+TEST_F(LifecycleTest, GivingUpIsClosingAndNothingElse) {
+  bring_to(kActive);
+  lifecycle_.give_up();
+  EXPECT_THAT(driver_.calls, ElementsAre("close"));
+  EXPECT_EQ(lifecycle_.state(), kUnconfigured);
+}
+
 TEST_F(LifecycleTest, FinalisingSwitchesOffWhateverTheState) {
   bring_to(kActive);
   lifecycle_.finalise();
@@ -253,7 +230,7 @@ TEST_P(EachState, StoppingTouchesOnlyMotorsThatAreOn) {
 INSTANTIATE_TEST_SUITE_P(Lifecycle, EachState,
                          testing::Values(Allowed{kUnconfigured, true, false, false, false},
                                          Allowed{kInactive, false, true, true, false},
-                                         Allowed{kActive, false, false, true, true},
+                                         Allowed{kActive, false, true, true, true},
                                          Allowed{kFinalised, false, false, false, false}),
                          [](const auto& one) { return std::string(name_of(one.param.state)); });
 
