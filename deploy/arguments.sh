@@ -26,11 +26,11 @@ kind_of() {
     --row) echo "row" ;;
     --goal) echo "word across travel walk none" ;;
     --robot) echo "word $(robots)" ;;
-    --strategy | --profile) echo "name" ;;
+    --strategy | --profile | --driver) echo "name" ;;
     --replicas) echo "replicas" ;;
     --config) echo "service_file" ;;
-    --tag | --interface | --peers) echo "text" ;;
-    --no-perturbation | --no-figure | --no-log | --keep | --realtime | --lockstep) echo "flag" ;;
+    --tag | --interface | --peers | --device) echo "text" ;;
+    --no-perturbation | --no-figure | --no-log | --keep | --realtime | --lockstep | --emulated) echo "flag" ;;
   esac
 }
 
@@ -43,11 +43,33 @@ robots() {
   done | tr '\n' ' '
 }
 
+# default_of KEY: what stack.yaml says, of robot and driver.
+default_of() {
+  awk -v key="$1:" '$1 == key { print $2; exit }' "$scarab_root/deploy/stack.yaml"
+}
+
+# drivers ROBOT: those that it has a configuration for.
+drivers() {
+  local file
+  for file in "$scarab_root/config/robot_bridge/$1"-*.yaml; do
+    [ -f "$file" ] || continue
+    file=${file##*/"$1"-}
+    echo "${file%.yaml}"
+  done | tr '\n' ' '
+}
+
+# profiles_with_a_device: those that name what can be emulated of them.
+profiles_with_a_device() {
+  awk '/^[^ #]/ { inside = /^profiles:/ }
+       inside && /^  [^ #]/ { sub(/:.*/, ""); profile = $1 }
+       inside && /^    emulated:/ { print profile }' "$scarab_root/deploy/stack.yaml" | tr '\n' ' '
+}
+
 # strategies: names in the default robot's supervisor configuration; nothing where that builds on another file,
 # which only the supervisor itself can read.
 strategies() {
   local robot file
-  robot=$(awk '/^robot:/ { print $2 }' "$scarab_root/deploy/stack.yaml")
+  robot=$(default_of robot)
   file=$scarab_root/config/supervisor/$robot.yaml
   [ -f "$file" ] && ! grep -q '^extends:' "$file" || return 0
   awk '/^[^ #]/ { inside = /^strategies:/ }
@@ -91,12 +113,33 @@ check_together() {
   fi
   [ -z "${given[--realtime]-}" ] || [ -z "${given[--lockstep]-}" ] ||
     usage_error "--realtime and --lockstep contradict each other"
+  check_device
   # Names in other files than the default ones are left to the launcher, once it is built.
   [ -n "${given[--strategy]-}" ] && [ -z "${given[--robot]-}${given[--config]-}" ] || return 0
   known=$(strategies | tr '\n' ' ')
   # shellcheck disable=SC2086  # known is words
   [ -z "$known" ] || is_one_of "${given[--strategy]}" $known ||
     usage_error "--strategy: unknown value '${given[--strategy]}'; one of: $known"
+}
+
+# check_device: the options of a robot and its driver; `given` is that of check_arguments.
+check_device() {
+  local option known robot=${given[--robot]-}
+  for option in --driver --device --emulated; do
+    # shellcheck disable=SC2046  # the profiles are words
+    [ -z "${given[$option]-}" ] || is_one_of "${given[--profile]-sim}" $(profiles_with_a_device) ||
+      usage_error "$option needs a profile with a robot bridge: --profile $(profiles_with_a_device)"
+  done
+  [ -z "${given[--emulated]-}" ] || [ -z "${given[--device]-}" ] ||
+    usage_error "--device and --emulated contradict each other: what is emulated is the device"
+  # shellcheck disable=SC2046
+  [ -z "${given[--lockstep]-}" ] || ! is_one_of "${given[--profile]-sim}" $(profiles_with_a_device) ||
+    usage_error "--lockstep: a robot does not wait; leave the option out"
+  [ -n "${given[--driver]-}" ] || return 0
+  known=$(drivers "${robot:-$(default_of robot)}")
+  # shellcheck disable=SC2086  # known is words
+  is_one_of "${given[--driver]}" $known ||
+    usage_error "--driver: unknown value '${given[--driver]}'; one of: $known"
 }
 
 # check_value OPTION VALUE KIND BOUND...

@@ -10,9 +10,9 @@ from . import (completion_verb, doctor_verb, experiment_verb, logs_verb, operato
 from .config_words import answer_config
 from .failure import EXIT_FAILURE, Failure, Interrupted
 from .places import Places, default_bin, default_runs, default_stack_file
-from .stack_options import add_profile_option, bounded_integer
+from .stack_options import add_device_options, add_profile_option, bounded_integer
 from .tool_verbs import bus_of, hand_on
-from .tool_words import log_words, topic_words
+from .tool_words import emulator_words, log_words, topic_words
 from .verbs import Verbs
 
 _EXAMPLES = """deploy/scarab run --height 0.10 --strategy soft+hard --seed 1
@@ -51,9 +51,13 @@ def all_verbs() -> Verbs:
     run_verb.add_verb(verbs)
     sim_verb.add_verb(verbs)
     experiment_verb.add_verb(verbs)
+    verbs.add_tool("search", "scarab-search", "search for parameters: run, evaluate, write")
     verbs.group("the robot, while a trial runs")
     operator_verbs.add_verbs(verbs)
-    verbs.add_tool("search", "scarab-search", "search for parameters: run, evaluate, write")
+    verbs.group("a real robot, in place of the simulated one")
+    verbs.add_tool("calibrate", "scarab-calibrate", "find a robot's zero positions, and write its calibration file")
+    verbs.add_tool("emulator", "scarab-emulator", "emulate a robot's boards; tell the emulator to misbehave",
+                   read=emulator_words)
     verbs.group("looking on, and files")
     verbs.add_tool("topic", "scarab-topic", "list, echo, measure and publish the topics of any DDS system",
                    bus_of, topic_words)
@@ -101,9 +105,11 @@ def _add_logs(verbs: Verbs) -> None:
 def _add_doctor(verbs: Verbs) -> None:
     parser = verbs.add("doctor", doctor_verb.doctor,
                        "look for what keeps a stack from running, and say what to do",
-                       "deploy/scarab doctor\ndeploy/scarab doctor sides endpoints --domain 4",
+                       "deploy/scarab doctor\ndeploy/scarab doctor sides endpoints --domain 4\n"
+                       "deploy/scarab doctor device realtime --profile robot",
                        operands=" [CHECK...]")
     add_profile_option(parser)
+    add_device_options(parser)
     _add_own_options(doctor_verb, parser)
 
 

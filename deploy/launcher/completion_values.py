@@ -6,6 +6,7 @@ from pathlib import Path
 from types import MappingProxyType
 from typing import Callable, Dict, Iterable, List, Mapping, Sequence
 
+from .driver_choice import known_drivers
 from .experiments.experiment_file import EXPERIMENT_WORDS, known_experiments
 from .places import Places
 from .robot_choice import known_robots
@@ -39,6 +40,8 @@ class Values:
         self._sources: Dict[str, Source] = {
             "strategy": lambda _: self._strategies(),
             "robot": lambda _: known_robots(places.root),
+            "driver": lambda _: self._drivers(),
+            "device": lambda start: paths(start or "/dev/", True),
             "profile": lambda _: read_profiles(places.stack_file),
             "replicas": lambda _: [f"{s.name}=" for s in self._services()],
             "config": self._service_files,
@@ -70,7 +73,11 @@ class Values:
         return known or []
 
     def _services(self) -> Sequence[Service]:
-        return self._stack(StackChanges()).services
+        return self._stack(StackChanges(emulated="--emulated" in self._words)).services
+
+    def _drivers(self) -> List[str]:
+        robot = self._said("--robot") or read_stack(self._places.stack_file, DEFAULT_PROFILE, self._places.root).robot
+        return known_drivers(self._places.root, robot)
 
     def _stack(self, changes: StackChanges):
         profile = self._said("--profile") or DEFAULT_PROFILE
@@ -79,7 +86,7 @@ class Values:
     def _service_files(self, start: str) -> List[str]:
         name, equals, file = start.partition("=")
         if not equals:
-            return [f"{s.name}=" for s in self._services() if s.config]
+            return [f"{s.name}=" for s in self._services() if s.config or s.plant]
         return [f"{name}={path}" for path in paths(file, True)]
 
     def _logs(self) -> List[str]:

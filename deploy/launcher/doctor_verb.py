@@ -6,6 +6,7 @@ import sys
 from typing import Callable, Iterator, List, Sequence, Tuple
 
 from .colour import Colour
+from .doctor.device import device
 from .doctor.domain import domain, ports
 from .doctor.endpoints import endpoints
 from .doctor.environment import environment
@@ -38,6 +39,7 @@ _CHECKS: Tuple[Tuple[str, Check], ...] = (
     ("sides", sides),
     ("endpoints", endpoints),
     ("clock", clock),
+    ("device", device),
     ("realtime", realtime),
     ("realtime", care),
 )

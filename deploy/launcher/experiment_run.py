@@ -27,7 +27,8 @@ def run_plans(plans: List[Plan], options: argparse.Namespace, places: Places) ->
     """Each in its directory. UsageError before anything is started where one of them cannot be run as asked
     for; Failure where trials cannot be run."""
     signals = Signals()
-    stack = read_stack(places.stack_file, DEFAULT_PROFILE, places.root, changes_of(options))
+    stack = read_stack(places.stack_file, options.profile, places.root, changes_of(options))
+    _check_simulates(stack)
     backend = _backend(options, stack)
     backend.check(places)
     _check_strategies(plans, stack, places)
@@ -93,7 +94,8 @@ def _command(options: argparse.Namespace, name: str) -> str:
     words = ["deploy/scarab", "experiment", word]
     words += ["--stacks", str(options.stacks)] if options.stacks else ["--inproc"]
     for option, value in (("--trials", options.trials), ("--seed", options.seed),
-                          ("--robot", options.robot)):
+                          ("--robot", options.robot),
+                          ("--profile", None if options.profile == DEFAULT_PROFILE else options.profile)):
         words += [option, str(value)] if value is not None else []
     for service, file in options.config:
         words += ["--config", f"{service}={shown(file)}"]
@@ -104,6 +106,14 @@ def _backend(options: argparse.Namespace, stack: Stack) -> Backend:
     if options.stacks:
         return Stacks(options.stacks, stack)
     return InProcess(options.jobs or len(os.sched_getaffinity(0)))
+
+
+def _check_simulates(stack: Stack) -> None:
+    """UsageError for a robot: nobody puts it and its object back a hundred times, and it has no seeds."""
+    if stack.service("plant") is None:
+        raise UsageError(f"--profile {stack.profile}: an experiment's trials are simulated, by the hundred and from "
+                         "exact starts, and this profile starts no plant here. Trials on it, one by one: "
+                         f"deploy/scarab run --profile {stack.profile}")
 
 
 def _check_strategies(plans: List[Plan], stack: Stack, places: Places) -> None:

@@ -11,7 +11,7 @@ from .experiments.experiment_file import (EXPERIMENT_WORDS, Experiment, find_exp
 from .experiments.plan import Shard, make_plan
 from .failure import EXIT_OK, UsageError
 from .places import Places
-from .stack_options import add_data_options, bounded_integer
+from .stack_options import DEFAULT_PROFILE, add_data_options, add_profile_option, bounded_integer
 from .strict_yaml import did_you_mean
 from .verbs import Verbs
 
@@ -58,6 +58,7 @@ def add_verb(verbs: Verbs) -> None:
     parser.add_argument("--no-report", dest="report", action="store_false",
                         help="leave figures and report to deploy/report/report.py DIR, later")
     parser.add_argument("--dry-run", action="store_true", help="show what would be run")
+    add_profile_option(parser)
     add_data_options(parser)
 
 
@@ -115,7 +116,8 @@ def _check_together(options: argparse.Namespace) -> None:
             raise UsageError("experiment merge needs the directories of the shards")
         of_a_run = {"--trials": options.trials, "--seed": options.seed, "--stacks": options.stacks,
                     "--inproc": options.inproc, "--jobs": options.jobs, "--dry-run": options.dry_run,
-                    "--shard": not options.shard.whole, "--robot": options.robot, "--config": options.config}
+                    "--shard": not options.shard.whole, "--robot": options.robot, "--config": options.config,
+                    "--profile": options.profile != DEFAULT_PROFILE}
         for option, given in of_a_run.items():
             if given:
                 raise UsageError(f"{option} is not for merge: the shards say how they were run")

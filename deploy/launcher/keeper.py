@@ -1,18 +1,16 @@
 """Keeps a stack: starts its services in order, restarts the crashed, stops them in reverse."""
 
 import signal
-import subprocess
-import tempfile
 import time
 from typing import Callable, Dict, List, Optional, Sequence
 
 from .back_off import LOOP_AFTER
 from .failure import Failure, Interrupted
+from .readiness import ReadinessQuestion
 from .restart_rule import must_wait, restart_allowed
 from .run_directory import RunDirectory
 from .service_child import ServiceChild, how_it_ended
 from .signals import Signals
-from .spawn import spawn
 from .stack import ServiceProcess, Stack
 from .trial_lock import series_that_runs
 
@@ -65,21 +63,18 @@ class Keeper:
             self._report({"event": "started", "service": child.name})
 
     def _wait_ready(self) -> None:
-        with tempfile.TemporaryFile() as answer:
-            asking = spawn(self._wait_ready_command, stdout=answer, stderr=answer)
-            try:
-                while asking.poll() is None:
-                    self._signals.raise_if_stop_requested()
-                    self._fail_if_one_ended()
-                    self._signals.wait(1.0)
-            finally:
-                _end(asking)
+        began = time.monotonic()
+        with ReadinessQuestion(self._wait_ready_command) as question:
+            while question.is_open:
+                self._signals.raise_if_stop_requested()
+                self._fail_if_one_ended()
+                for text in question.wait(self._signals, 1.0):
+                    self._report({"event": "waiting", "text": text})
             self._signals.raise_if_stop_requested()
             self._fail_if_one_ended()
-            if asking.returncode != 0:
-                answer.seek(0)
-                text = answer.read().decode(errors="replace").strip()
-                raise Failure(f"the stack is not ready after {self._stack.ready_s:g} s:\n{text}")
+            if not question.ready:
+                raise Failure(f"the stack is not ready after {time.monotonic() - began:.0f} s:\n"
+                              f"{question.answer()}")
 
     def _fail_if_one_ended(self) -> None:
         for child in self._children:
@@ -166,13 +161,3 @@ class Keeper:
                 return False
             self._signals.wait(left_s)
         return True
-
-
-def _end(process: subprocess.Popen) -> None:
-    if process.poll() is None:
-        process.terminate()
-        try:
-            process.wait(_TERM_PATIENCE_S)
-        except subprocess.TimeoutExpired:
-            process.kill()
-            process.wait()

@@ -53,6 +53,8 @@ def event_line(event: Event) -> str:
         return f"{name} {event['text']}; it is not restarted"
     if kind == "killed":
         return f"{name} did not stop within {event['after_s']:g} s and was killed"
+    if kind == "waiting":
+        return f"waits: {event['text']}"
     if kind == "unstartable":
         return f"{name} cannot be restarted now: {event['text']}"
     return ""

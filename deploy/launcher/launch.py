@@ -1,13 +1,16 @@
 """From a checked stack to one that runs: run directory, resolved configuration, keeper."""
 
 import os
+import sys
 from dataclasses import dataclass, replace
 from pathlib import Path
 from typing import Callable, Dict, List
 
+from .device_port import check_port
 from .domain_claim import DomainClaim
 from .failure import Failure
 from .keeper import Keeper
+from .keeper_events import event_line
 from .keeper_process import KeeperLine, Report, fork_keeper
 from .places import Places, shown
 from .preflight import check_configuration, resolved_configuration, write_configuration
@@ -55,9 +58,12 @@ def launch(places: Places, stack: Stack, claim: DomainClaim, pace: Pace, kind: K
 
 
 def check(places: Places, stack: Stack) -> Checked:
-    """UsageError where a service refuses its configuration, Failure where a program is not built."""
+    """UsageError where a service refuses its configuration; Failure where a program is not built, or the port of a
+    robot cannot be opened."""
     check_configuration(places, stack)
-    return Checked(stack, resolved_configuration(places, stack), source_version(places.root))
+    texts = resolved_configuration(places, stack)
+    check_port(stack, texts)
+    return Checked(stack, texts, source_version(places.root))
 
 
 def begin(places: Places, checked: Checked, claim: DomainClaim, pace: Pace, kind: Kind,
@@ -74,7 +80,7 @@ def begin(places: Places, checked: Checked, claim: DomainClaim, pace: Pace, kind
     write_configuration(run.directory, stack, checked.texts)
     record_stack_run(run, checked.version)
     wait_ready = [str(waiter), *run.bus.arguments(), "--wait", stack.expected_here(),
-                  "--timeout", f"{stack.ready_s:g}"]
+                  "--timeout", f"{stack.ready_s:g}", "--progress"]
     patience_s = sum(p.service.stop_s for p in stack.processes()) + _KEEPER_MARGIN_S
     keeper = fork_keeper(_keeper_body(places, run, kind, wait_ready),
                          run.directory, kind is Kind.RUN, patience_s, claim)
@@ -92,7 +98,8 @@ def _keeper_body(places: Places, run: StackRun, kind: Kind,
         running = RunningStack(kind, ProcessIdentity.of(os.getpid()), run.bus, run.directory,
                                run.stack.expected(), ready=False,
                                here=run.stack.expected_here(), pace=run.pace,
-                               tick_master=master.name if master else "")
+                               tick_master=master.name if master else "",
+                               hardware=run.stack.hardware_here())
         running.write(places.runs)
         try:
             keeper = Keeper(run.stack, run.directory, command_of, wait_ready, report, signals)
@@ -112,6 +119,8 @@ def _wait_until_ready(launched: Launched, signals: Signals) -> None:
                 return
             if event["event"] == "failed":
                 reason = str(event["text"])
+            elif event["event"] == "waiting":
+                print(f"scarab: {event_line(event)}", file=sys.stderr, flush=True)
         if signals.stop_requested:
             launched.keeper.stop(signals)
             signals.raise_if_stop_requested()

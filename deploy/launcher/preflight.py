@@ -2,7 +2,10 @@
 
 import shutil
 import subprocess
-from typing import Dict
+from pathlib import Path
+from typing import Dict, Optional
+
+import yaml
 
 from .failure import Failure, UsageError
 from .places import Places
@@ -34,6 +37,18 @@ def write_configuration(directory: RunDirectory, stack: Stack, texts: Dict[str, 
     shutil.copyfile(stack.file, directory.config / "stack.yaml")
     for robot in {s.robot for s in stack.services if s.robot}:
         shutil.copyfile(robot, directory.config / f"robot-{robot.name}")
+    calibration = _calibration(stack, texts)
+    if calibration:
+        shutil.copyfile(calibration, directory.config / f"calibration-{calibration.name}")
+
+
+def _calibration(stack: Stack, texts: Dict[str, str]) -> Optional[Path]:
+    """Of the robot that the stack drives; its place is relative to the file that names it."""
+    master = stack.tick_master()
+    if master is None or not master.device or master.config is None:
+        return None
+    named = (yaml.safe_load(texts.get(f"{master.name}.yaml", "")) or {}).get("calibration")
+    return master.config.parent / named if named else None
 
 
 def ask(places: Places, service: Service, question: str) -> str:

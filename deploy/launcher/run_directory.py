@@ -42,6 +42,11 @@ class RunDirectory:
         return self.path / "results.csv"
 
     @property
+    def device(self) -> Path:
+        """Of emulated hardware: a link to its end of the wire."""
+        return self.path / "device"
+
+    @property
     def trial_lock(self) -> Path:
         return self.pids / "trial.lock"
 

@@ -24,7 +24,7 @@ def record_stack_run(run: StackRun, version: str) -> None:
     record |= {"pace": run.pace.value, "profile": run.stack.profile, "robot": run.stack.robot,
                "bus": {"domain": run.bus.domain, "interface": run.bus.interface,
                        "tag": run.bus.tag, "peers": list(run.bus.peers)},
-               "services": _services(run.stack)}
+               **_device(run), "services": _services(run.stack)}
     if run.stack.elsewhere:
         record["elsewhere"] = {s.name: s.instances for s in run.stack.elsewhere}
     _write(record, run.directory)
@@ -55,6 +55,15 @@ def source_version(root: Path) -> str:
     return done.stdout.strip() or "unknown"
 
 
+def _device(run: StackRun) -> Dict[str, object]:
+    """Of a stack that drives one."""
+    stack = run.stack
+    if not stack.driver:
+        return {}
+    named = {"device": str(stack.device)} if stack.device else {}
+    return {"driver": stack.driver, **named, "emulated": stack.emulated}
+
+
 def _beginning(version: str) -> Dict[str, object]:
     return {"command": shlex.join(["scarab", *sys.argv[1:]]),
             "started": time.strftime("%Y-%m-%d %H:%M:%S %z"),
@@ -66,9 +75,7 @@ def _services(stack: Stack) -> Dict[str, object]:
 
 
 def _service(service: Service) -> Dict[str, object]:
-    files = {"robot": service.robot, "config": service.config}
-    return {"instances": service.instances,
-            **{key: shown(Path(file)) for key, file in files.items() if file}}
+    return {"instances": service.instances, **{key: shown(file) for key, file in service.files().items()}}
 
 
 def _write(record: Dict[str, object], directory: RunDirectory) -> None:

@@ -10,6 +10,7 @@ from .failure import Failure, UsageError
 from .keeper_events import EventTail
 from .launch import launch
 from .log_losses import log_losses
+from .pace_choice import choose_pace
 from .places import Places, shown
 from .run_directory import create_run_directory
 from .run_record import record_trials, source_version
@@ -29,7 +30,8 @@ for this run and stops it afterwards. The log, the results and a figure are left
 _EXAMPLES = """deploy/scarab run --height 0.08 --strategy boxing+hard --seed 3
 deploy/scarab run --trials 10 --replicas premotor=2
 deploy/scarab run --row runs/experiments/obstacle/results.csv:17 --realtime
-deploy/scarab run --realtime --config plant=my-plant.yaml"""
+deploy/scarab run --realtime --config plant=my-plant.yaml
+deploy/scarab run --profile robot --driver dynamixel --emulated"""
 
 
 def add_verb(verbs: Verbs) -> None:
@@ -59,14 +61,14 @@ def _run_on_its_own(options: argparse.Namespace, places: Places, signals: Signal
     """On a stack that is started for this run."""
     stack = read_stack(places.stack_file, options.profile or DEFAULT_PROFILE, places.root,
                        changes_of(options))
+    pace = choose_pace(stack, options.pace, Pace.LOCKSTEP)
     if options.strategy is not None:
         check_strategy(options.strategy, strategies_of(stack, places))
     note_other_configuration(options, stack, places)
     # The other host of a divided stack has to know the domain beforehand.
     wanted = 0 if options.domain is None and stack.elsewhere else options.domain
     kind = Kind.LASTING if options.keep else Kind.RUN
-    launched = launch(places, stack, claim_domain(wanted), options.pace or Pace.LOCKSTEP, kind,
-                      signals)
+    launched = launch(places, stack, claim_domain(wanted), pace, kind, signals)
     directory, master = launched.run.directory, stack.tick_master()
     stage = Stage(launched.run.bus, stack.expected(), master.name if master else "", launched.keeper)
     lacks: List[str] = []
@@ -118,6 +120,7 @@ def _check_fits(options: argparse.Namespace, running: RunningStack) -> None:
                          f"deploy/scarab up --{options.pace.value}")
     other = {"--profile": options.profile, "--replicas": options.replicas,
              "--robot": options.robot, "--config": options.config, "--no-log": not options.log,
+             "--driver": options.driver, "--device": options.device, "--emulated": options.emulated,
              "--tag": options.tag not in (None, running.bus.tag),
              "--interface": options.interface not in (None, running.bus.interface),
              "--peers": options.peers not in (None, running.bus.peers)}

@@ -34,6 +34,7 @@ class RunningStack:
     here: str  # those whom this keeper started; the others are on another host
     pace: Pace
     tick_master: str = ""  # the service, where it is one of those
+    hardware: str = ""  # what stands in for a device: kept here, but unheard and unexpected
 
     def write(self, runs: Path) -> None:
         file = _file(runs, self.bus.domain)
@@ -42,7 +43,8 @@ class RunningStack:
             "kind": self.kind.value, "keeper": self.keeper.to_json(), "domain": self.bus.domain,
             "interface": self.bus.interface, "tag": self.bus.tag, "peers": list(self.bus.peers),
             "directory": str(self.directory.path), "expected": self.expected, "here": self.here,
-            "pace": self.pace.value, "tick_master": self.tick_master, "ready": self.ready})
+            "pace": self.pace.value, "tick_master": self.tick_master, "hardware": self.hardware,
+            "ready": self.ready})
 
 
 def forget_stack(runs: Path, domain: int) -> None:
@@ -105,6 +107,6 @@ def _read(file: Path) -> Optional[RunningStack]:
             Kind(value["kind"]), ProcessIdentity.from_json(value["keeper"]),
             Bus(value["domain"], value["interface"], value["tag"], tuple(value["peers"])),
             RunDirectory(Path(value["directory"])), value["expected"], value["ready"],
-            value["here"], Pace(value["pace"]), value["tick_master"])
+            value["here"], Pace(value["pace"]), value["tick_master"], value.get("hardware", ""))
     except (KeyError, ValueError, TypeError):
         return None

@@ -3,7 +3,7 @@
 import enum
 from dataclasses import dataclass, replace
 from pathlib import Path
-from typing import Optional, Sequence, Tuple
+from typing import Dict, Optional, Sequence, Tuple
 
 LOGGER = "logger"  # the service that writes the log
 
@@ -38,7 +38,16 @@ class Service:
     stop_s: float
     robot: Optional[Path] = None
     config: Optional[Path] = None
+    plant: Optional[Path] = None  # of hardware that is emulated: the simulated robot behind it
     tick_master: bool = False
+    paces: Tuple[Pace, ...] = tuple(Pace)  # of a tick master: those that it can go at
+    device: bool = False  # it opens one, which --device can name
+    hardware: bool = False  # it stands in for a device, and is no service: nobody hears or expects it
+
+    def files(self) -> Dict[str, Path]:
+        """What it reads: option -> file."""
+        files = {"robot": self.robot, "config": self.config, "plant": self.plant}
+        return {option: file for option, file in files.items() if file is not None}
 
     def processes(self) -> Tuple["ServiceProcess", ...]:
         return tuple(ServiceProcess(self, i) for i in range(self.instances))
@@ -95,6 +104,9 @@ class Stack:
     elsewhere: Tuple[Service, ...] = ()  # part of the stack, but started on another host
     peers: Tuple[str, ...] = ()
     robot: str = ""
+    driver: str = ""  # of a profile with a robot bridge
+    device: Optional[Path] = None  # instead of the one that is configured
+    emulated: bool = False  # the device is a process of the stack
 
     def processes(self) -> Tuple[ServiceProcess, ...]:
         return tuple(p for service in self.services for p in service.processes())
@@ -110,6 +122,10 @@ class Stack:
         """Empty for a stack on one host."""
         return _counts(self.elsewhere)
 
+    def hardware_here(self) -> str:
+        """What stands in for a device: neither heard nor expected on DDS."""
+        return ",".join(f"{s.name}={s.instances}" for s in self.services if s.hardware)
+
     def service(self, name: str) -> Optional[Service]:
         """A service that is started here."""
         return next((s for s in self.services if s.name == name), None)
@@ -124,4 +140,4 @@ class Stack:
 
 
 def _counts(services: Sequence[Service]) -> str:
-    return ",".join(f"{s.name}={s.instances}" for s in services)
+    return ",".join(f"{s.name}={s.instances}" for s in services if not s.hardware)

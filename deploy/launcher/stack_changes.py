@@ -1,4 +1,4 @@
-"""What a person wants otherwise than stack.yaml says: --replicas, --robot, --config, --no-log, --interface, ..."""
+"""What a person wants otherwise than stack.yaml says: --replicas, --robot, --driver, --config, --no-log, ..."""
 
 from dataclasses import dataclass, field, replace
 from pathlib import Path
@@ -16,6 +16,9 @@ class StackChanges:
     """None and empty: as the file says."""
 
     robot: Optional[str] = None
+    driver: Optional[str] = None
+    device: Optional[Path] = None
+    emulated: bool = False
     replicas: Dict[str, int] = field(default_factory=dict)
     configs: Dict[str, Path] = field(default_factory=dict)
     interface: Optional[str] = None
@@ -25,7 +28,7 @@ class StackChanges:
 
 
 def apply_changes(stack: Stack, changes: StackChanges) -> Stack:
-    """The stack with everything but the robot changed, which is known before the file is read.
+    """The stack with everything but the robot, its driver and its emulation changed, which are known before.
 
     UsageError for a service that the profile does not have, and for what it cannot take.
     """
@@ -39,7 +42,8 @@ def apply_changes(stack: Stack, changes: StackChanges) -> Stack:
         elsewhere=tuple(_changed(s, changes) for s in stack.elsewhere),
         interface=stack.interface if changes.interface is None else changes.interface,
         tag=stack.tag if changes.tag is None else changes.tag,
-        peers=stack.peers if changes.peers is None else changes.peers)
+        peers=stack.peers if changes.peers is None else changes.peers,
+        device=changes.device, emulated=changes.emulated)
 
 
 def _without_logger(stack: Stack) -> Stack:
@@ -64,9 +68,13 @@ def _changed(service: Service, changes: StackChanges) -> Service:
     if service.tick_master and count != 1:
         raise UsageError(f"--replicas: {service.name} has the stack's only clock: "
                          "there can be just one of it")
-    config = changes.configs.get(service.name, service.config)
-    if config is not None and service.config is None:
+    if service.hardware and count != 1:
+        raise UsageError(f"--replicas: {service.name} is hardware: there can be just one of it")
+    key = "plant" if service.hardware else "config"  # hardware reads the configuration of who drives it
+    own = getattr(service, key)
+    file = changes.configs.get(service.name, own)
+    if file is not None and own is None:
         raise UsageError(f"--config: {service.name} takes no configuration file")
-    if config is not service.config and not config.is_file():
-        raise UsageError(f"--config: {service.name}: there is no file {config}")
-    return replace(service, instances=count, config=config)
+    if file is not own and not file.is_file():
+        raise UsageError(f"--config: {service.name}: there is no file {file}")
+    return replace(service, instances=count, **{key: file})

@@ -3,10 +3,10 @@
 import json
 
 from .declaration import (Boolean, Choice, Fields, Integer, ListOf, Named, Number, Text, described)
-from .stack import Restart
+from .stack import Pace, Restart
 from .stack_changes import MOST_INSTANCES
 
-_PATH = "from the root of the source tree; {robot} stands for the robot's name"
+_PATH = "from the root of the source tree; {robot} and {driver} stand for the names of those"
 _MEMBERS = ListOf(Text(), least=1, note="in the order of `services`")
 
 STACK = Fields(
@@ -38,17 +38,26 @@ STACK = Fields(
                 "stop_s": Number(0.1, 600.0, "how long it may take to stop"),
             }, {
                 "tick_master": Boolean("it has the one clock of the stack, and is told its pace"),
+                "paces": ListOf(Choice(tuple(p.value for p in Pace)), least=1,
+                                note="of a tick master: those that it can go at (both)"),
+                "device": Boolean("of a tick master: it drives a device, which --device can name"),
+                "hardware": Boolean("no service: it stands in for the device of the tick master, and is given "
+                                    "that one's files"),
                 "robot": Text(f"robot file, {_PATH}"),
                 "config": Text(f"configuration file, {_PATH}"),
+                "plant": Text(f"of hardware: the plant's file, for the robot behind it; {_PATH}"),
             })),
         "profiles": Named(Fields({
             "services": _MEMBERS,
         }, {
             "elsewhere": _MEMBERS,
-            "unavailable": Text("why it cannot be started"),
+            "emulated": ListOf(Text(), least=1, note="started, too, with --emulated: hardware alone"),
         }), "`services` are started on this host; those `elsewhere` belong to the stack, too"),
     },
-    optional={"robot": Text("name of a file in config/robot; --robot says another one")})
+    optional={
+        "robot": Text("name of a file in config/robot; --robot says another one"),
+        "driver": Text("config/robot_bridge has a <robot>-<driver>.yaml of it; --driver says another one"),
+    })
 
 
 def stack_schema() -> str:

@@ -1,16 +1,18 @@
 """Reads stack.yaml into a Stack: its shape is declared, what its parts say of each other is here."""
 
+from dataclasses import replace
 from pathlib import Path
-from typing import Dict, List, Tuple
+from typing import Dict, List
 
+from .driver_choice import chosen_driver
 from .failure import UsageError
-from .robot_choice import RobotChoice
-from .stack import BackOffTimes, Restart, Service, Stack
+from .marked_paths import MarkedPaths
+from .profile import Profile, read_profile
+from .robot_choice import chosen_robot
+from .stack import BackOffTimes, Pace, Restart, Service, Stack
 from .stack_changes import StackChanges, apply_changes
 from .stack_declaration import STACK
 from .strict_yaml import Value, did_you_mean, read_yaml
-
-Services = Dict[str, Service]
 
 
 def read_stack(file: Path, profile: str, root: Path,
@@ -22,18 +24,26 @@ def read_stack(file: Path, profile: str, root: Path,
     """
     value = read_yaml(file)
     read = STACK.read(value)
-    robot = RobotChoice(read.get("robot", ""), changes.robot, root)
-    services = {name: _service(name, fields, value.at("services", name), robot)
+    robot = chosen_robot(read.get("robot", ""), changes.robot, root)
+    driver = chosen_driver(read.get("driver", ""), changes.driver, robot, root)
+    paths = MarkedPaths(root, {"robot": robot, "driver": driver})
+    services = {name: _service(name, fields, value.at("services", name), paths)
                 for name, fields in read["services"].items()}
-    here, elsewhere = _profile(read["profiles"], value.at("profiles"), services, profile)
-    bus = read["bus"]
+    profiles = {name: read_profile(value.at("profiles", name), services) for name in read["profiles"]}
+    if profile not in profiles:
+        raise UsageError(f"no profile '{profile}'{did_you_mean(profile, profiles)}; "
+                         f"stack.yaml has {', '.join(profiles)}")
+    _check_device_options(changes, profile, profiles)
+    chosen, bus = profiles[profile], read["bus"]
+    here = chosen.with_emulated(services) if changes.emulated else chosen.here
     stack = apply_changes(Stack(
-        file=file, profile=profile, services=tuple(here), elsewhere=tuple(elsewhere),
+        file=file, profile=profile, services=here, elsewhere=chosen.elsewhere,
         interface=bus["interface"], tag=bus["tag"], peers=tuple(bus.get("peers", ())),
         log_level=read["log_level"], ready_s=read["timing"]["ready_s"],
-        back_off=_back_off(read["restart"], value.at("restart")), robot=robot.name), changes)
-    robot.check_files(stack.services)
-    return stack
+        back_off=_back_off(read["restart"], value.at("restart")), robot=robot,
+        driver=driver if paths.depend_on("driver", here) else ""), changes)
+    paths.check_files(stack.services)
+    return _with_files_of_hardware(stack)
 
 
 def read_profiles(file: Path) -> List[str]:
@@ -48,47 +58,49 @@ def _back_off(read: Dict[str, float], value: Value) -> BackOffTimes:
     return times
 
 
-def _service(name: str, read: Dict[str, object], value: Value, robot: RobotChoice) -> Service:
+def _service(name: str, read: Dict[str, object], value: Value, paths: MarkedPaths) -> Service:
     if read.get("tick_master") and read["instances"] != 1:
         value.at("instances").fail("must be 1: the tick master has the stack's only clock")
-    files = {key: robot.fill_in(read[key], value.at(key))
-             for key in ("robot", "config") if key in read}
-    return Service(name=name, **{**read, **files, "restart": Restart(read["restart"])})
+    for key in ("paces", "device"):
+        if key in read and not read.get("tick_master"):
+            value.at(key).fail("is of the tick master alone")
+    if read.get("hardware"):
+        _check_hardware(read, value)
+    elif "plant" in read:
+        value.at("plant").fail("is of hardware alone")
+    chosen = {key: paths.fill_in(read[key], value.at(key))
+              for key in ("robot", "config", "plant") if key in read}
+    if "paces" in read:
+        chosen["paces"] = tuple(map(Pace, read["paces"]))
+    return Service(name=name, **{**read, **chosen, "restart": Restart(read["restart"])})
 
 
-def _profile(read: Dict[str, dict], value: Value, services: Services,
-             wanted: str) -> Tuple[List[Service], List[Service]]:
-    """The services of the wanted profile: those started here, and those elsewhere. Checks all profiles."""
-    sides = {name: _sides(value.at(name), services) for name in read}
-    if wanted not in read:
-        raise UsageError(f"no profile '{wanted}'{did_you_mean(wanted, read)}; "
-                         f"stack.yaml has {', '.join(read)}")
-    if "unavailable" in read[wanted]:
-        raise UsageError(f"profile '{wanted}' cannot be started: {read[wanted]['unavailable']}")
-    return sides[wanted]
+def _with_files_of_hardware(stack: Stack) -> Stack:
+    """It is described by the files of the tick master that drives it."""
+    master = stack.tick_master()
+    return replace(stack, services=tuple(
+        replace(s, robot=master.robot, config=master.config) if s.hardware and master else s
+        for s in stack.services))
 
 
-def _sides(value: Value, services: Services) -> Tuple[List[Service], List[Service]]:
-    fields = value.mapping()
-    here = _members(fields["services"], services)
-    elsewhere = _members(fields["elsewhere"], services) if "elsewhere" in fields else []
-    for service in here:
-        if service in elsewhere:
-            value.fail(f"service '{service.name}' is both here and elsewhere")
-    clocks = [s.name for s in (*here, *elsewhere) if s.tick_master]
-    if len(clocks) > 1:
-        value.fail(f"has {len(clocks)} tick masters ({', '.join(clocks)}); there can be just one")
-    return here, elsewhere
+def _check_hardware(read: Dict[str, object], value: Value) -> None:
+    for key in ("tick_master", "robot", "config"):
+        if read.get(key):
+            value.at(key).fail("is not of hardware: that has the files of the tick master whose device it is")
+    if read["instances"] != 1:
+        value.at("instances").fail("must be 1: the tick master has one device")
 
 
-def _members(value: Value, services: Services) -> List[Service]:
-    names: List[str] = []
-    for item in value.sequence():
-        name = item.choice(services)
-        if name in names:
-            item.fail(f"service '{name}' is listed twice")
-        names.append(name)
-    order = list(services)
-    if names != sorted(names, key=order.index):
-        value.fail("must be in the order of `services`, which is the order of starting")
-    return [services[name] for name in names]
+def _check_device_options(changes: StackChanges, profile: str, profiles: Dict[str, Profile]) -> None:
+    """UsageError for options of a device with a profile that drives none."""
+    given = {"--driver": changes.driver is not None, "--device": changes.device is not None,
+             "--emulated": changes.emulated}
+    fitting = {name: p.emulated if changes.emulated else p.drives_a_device() for name, p in profiles.items()}
+    for option, is_given in given.items():
+        if is_given and not fitting[profile]:
+            others = ", ".join(name for name, fits in fitting.items() if fits)
+            lacks = "names no hardware to emulate" if option == "--emulated" else "drives no device"
+            raise UsageError(f"{option}: profile '{profile}' {lacks}"
+                             + (f"; with --profile {others} it can be said" if others else ""))
+    if changes.emulated and changes.device is not None:
+        raise UsageError("--device and --emulated contradict each other: what is emulated is the device")

@@ -1,6 +1,7 @@
 """The options that say what a stack consists of, and how fast it goes."""
 
 import argparse
+import os
 from pathlib import Path
 from typing import Callable, Dict, List, Tuple, TypeVar
 
@@ -68,6 +69,20 @@ def add_stack_options(parser: argparse.ArgumentParser) -> None:
     parser.add_argument("--peers", metavar="ADDRESS,...", type=lambda text: tuple(text.split(",")),
                         help="the other hosts, on a network without multicast (bus.peers)")
     add_data_options(parser)
+    add_device_options(parser).add_argument(
+        "--emulated", action="store_true",
+        help="without the robot: its boards are emulated, with a simulated robot behind them")
+
+
+def add_device_options(parser: argparse.ArgumentParser) -> argparse._ArgumentGroup:
+    """Of the profile `robot`; returns their group."""
+    device = parser.add_argument_group("device, of a profile with a robot bridge")
+    device.add_argument("--driver", metavar="NAME",
+                        help="of the robot's board: config/robot_bridge has a file ROBOT-NAME.yaml for each "
+                             "(the one that stack.yaml names)")
+    device.add_argument("--device", type=_device, metavar="PATH",
+                        help="the port that the robot is at (the one of that file)")
+    return device
 
 
 def add_pace_options(parser: argparse.ArgumentParser, default: Pace) -> None:
@@ -84,9 +99,12 @@ def changes_of(options: argparse.Namespace) -> StackChanges:
     """What add_data_options or add_stack_options have read. UsageError for a service named twice."""
     pairs = [pair for pairs in getattr(options, "replicas", []) for pair in pairs]
     return StackChanges(
-        robot=options.robot,
+        robot=getattr(options, "robot", None),
+        driver=getattr(options, "driver", None),
+        device=getattr(options, "device", None),
+        emulated=getattr(options, "emulated", False),
         replicas=_once("--replicas", pairs),
-        configs=_once("--config", options.config),
+        configs=_once("--config", getattr(options, "config", [])),
         interface=getattr(options, "interface", None),
         tag=getattr(options, "tag", None),
         peers=getattr(options, "peers", None),
@@ -110,6 +128,13 @@ def _replicas(text: str) -> List[Tuple[str, int]]:
             raise argparse.ArgumentTypeError(f"'{part}' is not SERVICE=N, such as premotor=2")
         pairs.append((name, bounded_integer(1, MOST_INSTANCES)(count)))
     return pairs
+
+
+def _device(text: str) -> Path:
+    """An argparse type. Not resolved: a link such as /dev/serial/by-id/... names the device for good."""
+    if not text:
+        raise argparse.ArgumentTypeError("a path is missing")
+    return Path(os.path.abspath(text))
 
 
 def _service_file(text: str) -> Tuple[str, Path]:

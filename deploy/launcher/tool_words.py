@@ -1,4 +1,4 @@
-"""What a person may say to `scarab topic` and `scarab log` beyond what the tools themselves understand."""
+"""What a person may say to `scarab topic`, `log` and `emulator` beyond what the tools themselves understand."""
 
 import sys
 from pathlib import Path
@@ -66,6 +66,15 @@ def topic_words(words: List[str], places: Places) -> List[str]:
         raise UsageError(f"scarab topic: {words[0]} is a topic, not a command: say what to do with it, such as "
                          f"deploy/scarab topic echo {words[0]}")
     return words
+
+
+def emulator_words(words: List[str], places: Places) -> List[str]:
+    """The words for scarab-emulator: to `tell`, `latest` stands for the stack of the newest run."""
+    if words[:1] != ["tell"] or words[1:2] != [LATEST] or Path(LATEST).exists():
+        return words
+    newest = (places.runs / LATEST).resolve()
+    stack = newest / "stack"  # a link where the run's trials are on a stack that is up
+    return ["tell", str(stack.resolve() if stack.is_symlink() else newest), *words[2:]]
 
 
 def _looks_like_a_log(word: str) -> bool:

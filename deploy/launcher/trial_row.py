@@ -61,6 +61,10 @@ def note_other_configuration(options: argparse.Namespace, stack: Stack, places: 
     """Says so where the row was run with other files than those of the stack: it may then end otherwise."""
     if options.row is None:
         return
+    if stack.service("plant") is None:
+        print(f"scarab: the row was run with a simulated plant, which profile '{stack.profile}' does not start here: "
+              "it may end otherwise", file=sys.stderr, flush=True)
+        return
     then: Optional[str] = read_row(options.row).get("configuration")
     now = resolve_configuration(places, stack)
     if not then or then == now.digest():

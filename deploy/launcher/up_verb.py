@@ -8,6 +8,7 @@ import sys
 from .domain_claim import claim_domain
 from .failure import EXIT_OK, Failure
 from .launch import Launched, launch
+from .pace_choice import choose_pace
 from .places import Places, shown
 from .running_stack import Kind, choose_stack, end_leftovers, forget_stack
 from .signals import Signals
@@ -26,6 +27,7 @@ _UP_MORE = """It goes by the wall clock, as a robot does, until `deploy/scarab d
 those of this host, and says whom it misses on the other one."""
 _UP_EXAMPLES = """deploy/scarab up
 deploy/scarab up --lockstep --replicas premotor=2
+deploy/scarab up --profile robot --driver dynamixel --device /dev/ttyUSB1
 deploy/scarab up --profile plant-host --interface eth0"""
 _DOWN_MORE = """The trial that runs on it fails; its log is closed. To end the trial alone and keep the stack:
 `deploy/scarab stop`."""
@@ -43,12 +45,15 @@ def add_verbs(verbs: Verbs) -> None:
 def up(options: argparse.Namespace, places: Places) -> int:
     signals = Signals()
     stack = read_stack(places.stack_file, options.profile, places.root, changes_of(options))
+    pace = choose_pace(stack, options.pace, Pace.REALTIME)
     claim = claim_domain(0 if options.domain is None else options.domain)
-    launched = launch(places, stack, claim, options.pace or Pace.REALTIME, Kind.LASTING, signals)
+    launched = launch(places, stack, claim, pace, Kind.LASTING, signals)
     launched.keeper.let_go()
     run = launched.run
-    pace = f", {run.pace.words}" if stack.tick_master() else ""  # else the other host's to say
-    print(f"the stack is up on DDS domain {run.bus.domain}{pace}: {stack.expected_here()}")
+    how = f", {run.pace.words}" if stack.tick_master() else ""  # else the other host's to say
+    print(f"the stack is up on DDS domain {run.bus.domain}{how}: {stack.expected_here()}")
+    if stack.hardware_here():
+        print(f"emulated hardware: {stack.hardware_here()}")
     if stack.elsewhere:
         print(_elsewhere(launched, places))
     print(f"run directory: {shown(run.directory.path)}\n"

@@ -9,10 +9,11 @@ from pathlib import Path
 from typing import List, Optional
 
 from ..places import shown
+from ..program import Program
 from ..stack import Bus
 from .finding import Finding, note, ok, problem
 from .ports import PARTICIPANT_INDICES, multicast_ports, unicast_ports
-from .sockets import Program, owners, udp_sockets, unix_socket_inode
+from .sockets import owners, udp_sockets, unix_socket_inode
 from .subject import Subject
 from .survey import speaks_scarab, who
 

@@ -3,8 +3,9 @@
 from dataclasses import dataclass, field
 from typing import Dict, List, Set, Tuple
 
+from ..program import Program
 from .interfaces import names_by_address
-from .sockets import Program, UdpSocket, owners, udp_sockets
+from .sockets import UdpSocket, owners, udp_sockets
 
 DOMAINS = range(0, 231)
 PARTICIPANT_INDICES = range(0, 64)  # of the project's configuration; the standard has 120

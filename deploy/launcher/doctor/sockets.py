@@ -7,8 +7,7 @@ from dataclasses import dataclass
 from pathlib import Path
 from typing import Dict, Iterable, List, Optional, Set
 
-_INTERPRETERS = ("python", "bash", "sh", "perl", "ruby", "node")
-
+from ..program import Program, program
 
 @dataclass(frozen=True)
 class UdpSocket:
@@ -17,17 +16,6 @@ class UdpSocket:
     address: str
     port: int
     inode: int
-
-
-@dataclass(frozen=True)
-class Program:
-    """A process in words. Pid 0: the system does not tell, it is another user's."""
-
-    pid: int
-    name: str
-
-    def __str__(self) -> str:
-        return f"{self.name} (pid {self.pid})" if self.pid else self.name
 
 
 ANOTHER_USERS = Program(0, "a program of another user")
@@ -64,18 +52,6 @@ def owners(inodes: Iterable[int]) -> Dict[int, Program]:
         for inode in _socket_inodes(pid) & wanted:
             found.setdefault(inode, program(pid))
     return {inode: found.get(inode, ANOTHER_USERS) for inode in wanted}
-
-
-def program(pid: int) -> Program:
-    """Named by its file, a script by the script's."""
-    try:
-        words = Path(f"/proc/{pid}/cmdline").read_bytes().decode(errors="replace").split("\0")
-    except OSError:
-        words = []
-    name = os.path.basename(words[0]) if words and words[0] else f"process {pid}"
-    if name.startswith(_INTERPRETERS) and len(words) > 1 and words[1][:1] not in ("", "-"):
-        name = os.path.basename(words[1])
-    return Program(pid, name)
 
 
 def _socket_inodes(pid: int) -> Set[int]:

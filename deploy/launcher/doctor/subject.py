@@ -9,6 +9,7 @@ from ..failure import ConfigError
 from ..places import Places
 from ..stack import Bus, Stack
 from ..stack_file import read_stack
+from ..stack_options import changes_of
 from ..status.processes import expected_processes
 from .interfaces import LOOPBACK, flags_of, usable_interfaces
 from .ports import DdsProcess, dds_processes
@@ -25,7 +26,8 @@ class Subject:
     """Everything is looked up when a check first asks for it, and then kept."""
 
     def __init__(self, options: argparse.Namespace, places: Places):
-        """UsageError for a profile that is not there; a broken stack file is a finding."""
+        """UsageError for a profile that is not there, or is not of the device that is named; a broken stack file is
+        a finding."""
         self.options = options
         self.places = places
         self.host = socket.gethostname()
@@ -33,7 +35,7 @@ class Subject:
         self.stack: Optional[Stack] = None
         self.stack_fault: Optional[ConfigError] = None
         try:
-            self.stack = read_stack(places.stack_file, options.profile, places.root)
+            self.stack = read_stack(places.stack_file, options.profile, places.root, changes_of(options))
         except ConfigError as fault:
             self.stack_fault = fault
 

@@ -3,7 +3,6 @@
 from typing import List, Sequence
 
 from .picture import Picture
-from .processes import KEEPER
 
 _REPORT = ("lifecycle", "health", "message", "trial", "tick", "ticks_per_s", "counters", "histograms")
 
@@ -37,7 +36,7 @@ def _stack(picture: Picture) -> dict:
 def _processes(picture: Picture) -> List[dict]:
     found = []
     for process in picture.processes:
-        service = picture.services.get(process.service) if process.name != KEEPER else None
+        service = picture.services.get(process.service) if process.speaks else None
         found.append({
             "name": process.name, "pid": process.pid, "running": process.pid is not None,
             "uptime_s": round(process.uptime_s, 2), "restarts": process.crashes.restarts,

@@ -5,7 +5,7 @@ from dataclasses import dataclass
 from typing import Dict, List, Optional, Tuple
 
 from ..running_stack import RunningStack
-from .processes import KEEPER, CpuMeter, ProcessView, expected_processes, processes_of
+from .processes import CpuMeter, ProcessView, expected_processes, processes_of
 from .waits import name_of, waits
 
 _REFUSED = ("commands_refused_", "targets_clamped_")
@@ -33,6 +33,11 @@ class Picture:
                      if name_of(s) == self._document["tick_master"]), None)
 
     @property
+    def in_trial(self) -> bool:
+        """Whether anybody still is: a bridge that has lost its robot is not, though its trial goes on."""
+        return any(s["lifecycle"] == "active" for s in self.services.values())
+
+    @property
     def ticks_per_s(self) -> float:
         """Of the chain: the median of those in the trial, for each alone is right to a tick only."""
         rates = [s["ticks_per_s"] for s in self.services.values() if s["lifecycle"] == "active"]
@@ -48,7 +53,7 @@ class Picture:
     @property
     def elsewhere(self) -> List[dict]:
         """Reports of services that this launcher has not started: on another host, or by hand."""
-        own = {p.service for p in self.processes if p.name != KEEPER}
+        own = {p.service for p in self.processes if p.speaks}
         return [s for key, s in self.services.items() if key not in own]
 
     def waits(self) -> List[str]:

@@ -2,7 +2,7 @@
 
 import os
 import time
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from pathlib import Path
 from typing import Dict, List, Optional, Tuple
 
@@ -17,7 +17,8 @@ KEEPER = "keeper"
 
 @dataclass(frozen=True)
 class ProcessView:
-    """One process; without a pid it does not run. The keeper is one, too, and no service."""
+    """One process; without a pid it does not run. The keeper and emulated hardware are processes, too, but no
+    services: they say nothing on DDS (`speaks`)."""
 
     name: str
     pid: Optional[int] = None
@@ -25,6 +26,7 @@ class ProcessView:
     cpu_s: float = 0.0  # used since its start
     memory_bytes: int = 0
     crashes: CrashRecord = CrashRecord()
+    speaks: bool = True
 
     @property
     def service(self) -> Tuple[str, int]:
@@ -35,11 +37,13 @@ class ProcessView:
 
 def processes_of(stack: RunningStack) -> List[ProcessView]:
     """The keeper, then everybody it has to keep running, in start order."""
-    views = [_view(KEEPER, stack.keeper, CrashRecord())]
-    for name in expected_processes(stack.here):
-        value = read_json(stack.directory.pid_file_of(name))
-        identity = ProcessIdentity.from_json(value) if value else None
-        views.append(_view(name, identity, CrashRecord.read(stack.directory, name)))
+    views = [replace(_view(KEEPER, stack.keeper, CrashRecord()), speaks=False)]
+    for counts, speaks in ((stack.hardware, False), (stack.here, True)):
+        for name in expected_processes(counts):
+            value = read_json(stack.directory.pid_file_of(name))
+            identity = ProcessIdentity.from_json(value) if value else None
+            view = _view(name, identity, CrashRecord.read(stack.directory, name))
+            views.append(replace(view, speaks=speaks))
     return views
 
 

@@ -36,7 +36,7 @@ def _head(picture: Picture, colour: Colour) -> List[str]:
     master = picture.tick_master
     if master and master["trial"]:
         rate = (f", {picture.ticks_per_s:.1f} ticks/s, {picture.real_time_factor:.2f} x real time"
-                if master["lifecycle"] == "active" else ", over")
+                if picture.in_trial else ", over")
         found.append(f"trial {master['trial']}: tick {master['tick']}, "
                      f"{master['sim_time_s']:.1f} s{rate}")
     elif master:
@@ -51,7 +51,7 @@ def _row(picture: Picture, process: ProcessView) -> Row:
     system = (process.name, str(process.pid), duration(process.uptime_s),
               restarts if process.name != KEEPER else "",
               f"{picture.cpu_percent[process.name]:.0f} %", f"{process.memory_bytes / 1e6:.0f} MB")
-    if process.name == KEEPER:
+    if not process.speaks:
         return (*system, "", "", "", "", "")
     service = picture.services.get(process.service)
     if service is None:

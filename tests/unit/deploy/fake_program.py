@@ -45,6 +45,10 @@ def up_file(service):
     return FOLDER / f"up.{value_of('--domain', '0')}.{service}"
 
 
+def program_of(service):
+    return "scarab-" + service.replace("_", "-")
+
+
 def free_name(folder):
     """As the logger: a file that an earlier one left is not touched."""
     names = ["trial.mcap", "trial-2.mcap", "trial-3.mcap"]
@@ -84,17 +88,19 @@ def serve():
 
 
 def status():
+    if order("progress") and "--progress" in sys.argv:
+        print(f"scarab-status: waiting: {order('progress')}", file=sys.stderr, flush=True)
     while order("hold"):
         time.sleep(0.01)
     services = [part.split("=")[0] for part in value_of("--wait").split(",") if part]
-    all_up = wait_until(lambda: all(up_file(f"scarab-{s}").exists() for s in services),
+    all_up = wait_until(lambda: all(up_file(program_of(s)).exists() for s in services),
                         float(value_of("--timeout", "1")))
     if all_up and order("never-ready") is None:
         if order("document") and "--json" in sys.argv:
             print(order("document"))
         return 0
     print("a table")
-    missing = [s for s in services if not up_file(f"scarab-{s}").exists()] or ["premotor"]
+    missing = [s for s in services if not up_file(program_of(s)).exists()] or ["premotor"]
     print(f"scarab-status: {', '.join(missing)} is missing", file=sys.stderr)
     return 1
 

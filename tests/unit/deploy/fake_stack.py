@@ -14,6 +14,7 @@ SOURCE_ROOT = Path(__file__).resolve().parents[3]
 SCARAB = SOURCE_ROOT / "deploy" / "scarab"
 PATIENCE_S = 30.0
 PROGRAMS = ("scarab-logger", "scarab-plant", "scarab-premotor", "scarab-supervisor",
+            "scarab-robot-bridge", "scarab-emulator",
             "scarab-status", "scarab-experiment", "scarab-log", "scarab-operator", "scarab-sim",
             "scarab-topic", "scarab-drive", "scarab-config")
 

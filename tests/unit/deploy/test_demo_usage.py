@@ -22,7 +22,9 @@ GOOD = (["--height", "0.10"], ["--height=.08"], ["--height", "0"], ["--strategy"
         ["--realtime", "--no-log"],
         ["--lockstep", "--robot", "beetle"], ["--replicas", "premotor=2"],
         ["--replicas=premotor=2,supervisor=1"], ["--interface", "lo"], ["--profile", "control-host"],
-        ["--config", f"plant={SOURCE_ROOT}/config/plant/beetle.yaml"])
+        ["--config", f"plant={SOURCE_ROOT}/config/plant/beetle.yaml"],
+        ["--profile", "robot", "--emulated"], ["--profile", "robot", "--driver", "amosii", "--emulated"],
+        ["--profile", "robot", "--robot=beetle", "--driver=dynamixel", "--emulated", "--realtime"])
 BAD = (["--height"], ["--height", "high"], ["--height", "nan"], ["--height", "-0.1"],
        ["--height", "0.51"], ["--height", "1e9"], ["--strategy", "softly"], ["--strategy", ""],
        ["--strategy", "soft boxing"], ["--seed", "-1"], ["--seed", "1.5"],
@@ -34,6 +36,10 @@ BAD = (["--height"], ["--height", "high"], ["--height", "nan"], ["--height", "-0
        ["--profile", "a b"], ["--domain", "231"], ["--no-perturbation=1"],
        ["--perturb-position", "0.21"], ["--perturb-yaw", "180"], ["--perturb-friction", "1"],
        ["--friction-scale", "0"], ["--object-mass", "-1"], ["--object-diameter", "2"], ["--row", "3"],
+       ["--emulated"], ["--profile", "sim", "--emulated"], ["--driver", "dynamixel"], ["--device", "/dev/ttyUSB0"],
+       ["--profile", "robot", "--driver", "dynamixl"], ["--profile", "robot", "--robot", "beetle", "--driver", "x"],
+       ["--profile", "robot", "--emulated", "--device", "/dev/x"], ["--profile", "robot", "--lockstep"],
+       ["--profile", "robot", "--emulated=yes"], ["--profile", "control-host", "--emulated"],
        ["--row", "/no/such.csv:3"], ["--row", f"{SOURCE_ROOT}/README.md:x"], ["--heigth", "0.1"], ["nonsense"])
 # Whatever sets up or builds goes through one of these.
 TOUCHING = ("apt-get", "dpkg-query", "sudo", "cmake", "ninja", "mkdir")

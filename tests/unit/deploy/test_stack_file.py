@@ -43,10 +43,6 @@ class StackFile(unittest.TestCase):
         self.assertIs(stack.service("plant").restart, Restart.BETWEEN_TRIALS)
         self.assertEqual(stack.service("plant").config, SOURCE_ROOT / "config/plant/beetle.yaml")
 
-    def test_robot_profile_says_that_it_cannot_be_started(self):
-        with self.assertRaisesRegex(UsageError, "scarab-robot-bridge"):
-            read_stack(REPOSITORY_FILE, "robot", SOURCE_ROOT)
-
     def test_instances_are_processes_with_names_of_their_own(self):
         stack = self.read(STACK.replace("scarab-premotor, instances: 1",
                                         "scarab-premotor, instances: 2"))
@@ -96,6 +92,29 @@ class StackFile(unittest.TestCase):
             with self.subTest(new=new):
                 self.assertIn(old, STACK)
                 self.assertIn(reason, self.mistake(STACK.replace(old, new)))
+
+    def test_what_is_said_of_devices_and_hardware(self):
+        text = STACK.replace("tick_master: true", "tick_master: true, device: true").replace(
+            "  premotor:", "  box: {binary: scarab-box, hardware: true, instances: 1, restart: always, stop_s: 1}\n"
+            "  premotor:") + "  other: {services: [plant], emulated: [box]}\n"
+        self.assertEqual([s.name for s in self.read(text, "other").services], ["plant"])
+        for old, new, reason in (
+                ("emulated: [box]", "emulated: [premotor]", "'premotor' is a service; expected one with `hardware"),
+                ("emulated: [box]", "emulated: [bx]", "did you mean 'box'?"),
+                ("[plant], emulated", "[premotor], emulated", "no tick master with `device: true` here"),
+                ("[plant], emulated", "[plant, box], emulated", "'box' is hardware, and belongs under `emulated`"),
+                ("hardware: true,", "hardware: true, config: x,", "services.box.config: is not of hardware"),
+                ("hardware: true,", "hardware: true, tick_master: true,", "tick_master: is not of hardware"),
+                ("hardware: true, instances: 1", "hardware: true, instances: 2", "must be 1: the tick master has"),
+                ("device: true", "device: true, plant: x", "services.plant.plant: is of hardware alone"),
+                ("device: true", "device: true, paces: []", "must name at least one"),
+                ("device: true", "device: true, paces: [fast]", "one of lockstep, realtime"),
+                ("tick_master: true, device", "device", "services.plant.device: is of the tick master alone"),
+                ("tick_master: true, device: true", "paces: [realtime]", "paces: is of the tick master alone"),
+                ("binary: scarab-plant", "config: 'x/{driver}', binary: y", "has no key 'driver'")):
+            with self.subTest(new=new):
+                self.assertIn(old, text)
+                self.assertIn(reason, self.mistake(text.replace(old, new)))
 
     def test_what_is_no_yaml(self):
         self.assertIn("not valid YAML", self.mistake("bus: [lo"))

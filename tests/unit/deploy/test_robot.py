@@ -1,0 +1,350 @@
+"""The profile of a robot: its bridge, its port, its driver, and what stands in for it."""
+
+import os
+import pty
+import re
+import signal
+import tempfile
+import unittest
+from pathlib import Path
+
+import yaml
+from fake_stack import FakeStackTest, wait_until
+from launcher.failure import UsageError
+from launcher.stack_changes import StackChanges
+from launcher.stack_file import read_stack
+
+STACK = """
+robot: beetle
+driver: amosii
+bus: {interface: lo, tag: ""}
+log_level: info
+timing: {ready_s: 20}
+restart: {first_s: 0.01, longest_s: 0.05, forget_s: 30}
+services:
+  emulator: {binary: scarab-emulator, hardware: true, plant: FOLDER/plant.yaml, instances: 1, restart: always,
+             stop_s: 20}
+  logger: {binary: scarab-logger, instances: 1, restart: always, stop_s: 20}
+  plant: {binary: scarab-plant, instances: 1, restart: between_trials, stop_s: 20, tick_master: true}
+  robot_bridge: {binary: scarab-robot-bridge, instances: 1, restart: between_trials, stop_s: 20, tick_master: true,
+                 paces: [realtime], device: true, robot: "FOLDER/robot.yaml", config: "FOLDER/bridge-{driver}.yaml"}
+profiles:
+  sim: {services: [logger, plant]}
+  robot: {services: [logger, robot_bridge], emulated: [emulator]}
+"""
+
+
+class RobotCase(FakeStackTest):
+    domain = 20
+
+    def setUp(self):
+        super().setUp()
+        RobotCase.domain += 1
+        self.words = ("--profile", "robot", "--domain", str(RobotCase.domain))
+        self.stack_file.write_text(STACK.replace("FOLDER", str(self.folder)))
+        for name in ("plant", "other-plant", "robot", "bridge-amosii", "calibration"):
+            (self.folder / f"{name}.yaml").write_text(f"name: {name}\n")
+
+    def a_port(self):
+        """A terminal of the test's own, open at its other end alone."""
+        ours, other = pty.openpty()
+        self.addCleanup(os.close, ours)
+        port = os.ttyname(other)
+        os.close(other)
+        return port
+
+    def configure(self, port):
+        self.order("scarab-robot-bridge", "configuration",
+                   f"driver: amosii\namosii: {{port: {port}}}\ncalibration: calibration.yaml\n")
+
+    def refused(self, verb, *words):
+        """The one line of it; nothing was started."""
+        code, out, err = self.scarab(verb, *words)
+        self.assertEqual((code, out), (2, ""), err)
+        self.assertEqual(len(err.splitlines()), 1, err)
+        self.assertEqual(self.journal(), [])
+        self.assertFalse(self.runs.exists())
+        return err
+
+    def events(self, word):
+        log = (self.run_directory() / "logs" / "launcher.log").read_text()
+        return re.findall(rf"{word} service=(\w+)", log)
+
+
+class Emulated(RobotCase):
+    def setUp(self):
+        super().setUp()
+        self.configure("/dev/no-such-port")  # which nobody may need
+        self.words += ("--emulated",)
+
+    def test_emulator_is_there_before_the_bridge_and_after_it(self):
+        code, _, err = self.scarab("run", *self.words)
+        self.assertEqual(code, 0, err)
+        self.assertEqual(self.events("started"), ["emulator", "logger", "robot_bridge"])
+        self.assertEqual(self.events("stopped"), ["robot_bridge", "logger", "emulator"])
+
+    def test_both_get_the_same_files_and_the_same_device(self):
+        self.assertEqual(self.scarab("run", *self.words)[0], 0)
+        bridge, emulator = (self.command_of(f"scarab-{name}") for name in ("robot-bridge", "emulator"))
+        for option in ("--robot", "--config", "--device"):
+            self.assertEqual(bridge[option], emulator[option])
+        self.assertEqual(emulator["--config"], str(self.folder / "bridge-amosii.yaml"))
+        self.assertEqual(emulator["--device"], str(self.run_directory() / "device"))
+        self.assertEqual(emulator["--plant"], str(self.folder / "plant.yaml"))
+        self.assertNotIn("--plant", bridge)
+        self.assertEqual(bridge["--pace"], "realtime")
+        self.assertNotIn("--pace", emulator)
+
+    def test_emulator_is_expected_by_nobody(self):
+        self.assertEqual(self.scarab("run", *self.words)[0], 0)
+        self.assertEqual(self.command_of("scarab-robot-bridge")["--expect"], "logger=1,robot_bridge=1")
+
+    def test_run_directory_tells_what_was_driven(self):
+        self.assertEqual(self.scarab("run", *self.words)[0], 0)
+        config = self.run_directory() / "config"
+        record = yaml.safe_load((config / "run.yaml").read_text())
+        self.assertEqual((record["driver"], record["emulated"], record["pace"]), ("amosii", True, "realtime"))
+        self.assertEqual(set(record["services"]["emulator"]), {"instances", "robot", "config", "plant"})
+        for name in ("robot_bridge.yaml", "emulator.yaml", "robot-robot.yaml"):
+            self.assertTrue((config / name).is_file(), name)
+        self.assertEqual((config / "calibration-calibration.yaml").read_text(), "name: calibration\n")
+
+    def test_other_plant_can_be_behind_it(self):
+        other = self.folder / "other-plant.yaml"
+        self.assertEqual(self.scarab("run", *self.words, "--config", f"emulator={other}")[0], 0)
+        self.assertEqual(self.command_of("scarab-emulator")["--plant"], str(other))
+
+    def test_other_configuration_of_the_bridge_is_the_emulators_too(self):
+        other = self.folder / "other-plant.yaml"
+        self.assertEqual(self.scarab("run", *self.words, "--config", f"robot_bridge={other}")[0], 0)
+        for name in ("robot-bridge", "emulator"):
+            self.assertEqual(self.command_of(f"scarab-{name}")["--config"], str(other))
+
+    def test_its_files_are_checked_before_anything_starts(self):
+        self.order("scarab-emulator", "refuse", "plant.yaml:3:1: scene: unknown key")
+        code, _, err = self.scarab("run", *self.words)
+        self.assertEqual((code, err), (2, "plant.yaml:3:1: scene: unknown key\n"))
+        self.assertEqual(self.journal(), [])
+
+    def test_emulator_that_crashes_comes_back_in_the_middle_of_the_trial(self):
+        self.order("scarab-experiment", "hold")
+        launcher = self.start("run", *self.words)
+        wait_until(self.trial_runs, "the trial runs")
+        self.order("scarab-emulator", "crash")
+        wait_until(lambda: self.journal().count(("start", "scarab-emulator")) == 2, "it is restarted")
+        self.withdraw("scarab-experiment", "hold")
+        code, out, err = self.finish(launcher)
+        self.assertEqual(code, 0, out + err)
+        self.assertIn("emulator was killed (signal 9); restart 1 follows", err)
+
+    def test_bridge_that_crashes_fails_the_trial_as_a_plant_does(self):
+        self.order("scarab-experiment", "hold")
+        launcher = self.start("run", *self.words)
+        wait_until(self.trial_runs, "the trial runs")
+        self.order("scarab-robot-bridge", "crash")
+        code, out, _ = self.finish(launcher)
+        self.assertEqual(code, 1)
+        self.assertIn("result: failure: robot_bridge was killed", out)
+        self.assertEqual(self.journal().count(("start", "scarab-robot-bridge")), 1)
+
+    def test_up_and_status_show_it_beside_the_services(self):
+        code, out, err = self.scarab("up", *self.words)
+        self.assertEqual(code, 0, err)
+        self.assertIn("in real time: logger=1,robot_bridge=1\nemulated hardware: emulator=1\n", out)
+        self.order("scarab-status", "document", '{"tick_master": "", "services": []}')
+        out = self.scarab("status", *self.words[2:4])[1]
+        self.assertRegex(out, r"emulator +\d+ ")
+        self.assertIn("robot_bridge/0 says nothing", out)
+        self.assertNotIn("emulator/0", out)
+
+    def test_run_refuses_another_robot_than_that_of_the_stack_that_is_up(self):
+        self.assertEqual(self.scarab("up", *self.words)[0], 0)
+        for words in (["--driver", "amosii"], ["--device", "/dev/x"], ["--emulated"]):
+            code, _, err = self.scarab("run", *self.words[2:4], *words)
+            self.assertEqual(code, 2, err)
+            self.assertIn(f"{words[0]}: there is a stack up", err)
+        self.assertEqual(self.scarab("run", *self.words[2:4])[0], 0)
+
+    def test_killed_keeper_takes_the_emulator_along(self):
+        self.order("scarab-experiment", "hold")
+        launcher = self.start("run", *self.words)
+        wait_until(self.trial_runs, "the trial runs")
+        launcher.kill()
+        self.finish(launcher)
+        wait_until(lambda: self.living() == [], "everything has ended")
+
+
+class Port(RobotCase):
+    def fails(self, *words):
+        """What is said of a port; nothing was started."""
+        code, out, err = self.scarab("up", *self.words, *words)
+        self.assertEqual((code, out), (1, ""), err)
+        self.assertEqual(self.journal(), [])
+        self.assertFalse(self.runs.exists())
+        return err
+
+    def test_configured_one_is_left_to_the_bridge(self):
+        self.configure(self.a_port())
+        self.assertEqual(self.scarab("up", *self.words)[0], 0)
+        self.assertNotIn("--device", self.command_of("scarab-robot-bridge"))
+        self.assertNotIn(("start", "scarab-emulator"), self.journal())
+
+    def test_other_one_is_handed_to_the_bridge_alone(self):
+        self.configure("/dev/no-such-port")
+        port = self.a_port()
+        self.assertEqual(self.scarab("up", *self.words, "--device", port)[0], 0)
+        self.assertEqual(self.command_of("scarab-robot-bridge")["--device"], port)
+        self.assertNotIn("--device", self.command_of("scarab-logger"))
+
+    def test_one_that_is_not_there_is_said_at_once(self):
+        self.configure("/dev/no-such-port")
+        self.assertRegex(self.fails(), "there is no /dev/no-such-port. Plug the robot in, .*--device PATH.*--emulated")
+        self.assertIn("there is no /dev/nor-this", self.fails("--device", "/dev/nor-this"))
+
+    def test_one_that_is_a_file(self):
+        self.configure(self.stack_file)
+        self.assertIn(f"{self.stack_file} is no device", self.fails())
+
+    def test_one_that_somebody_else_has_open(self):
+        port = self.a_port()
+        self.configure(port)
+        held = os.open(port, os.O_RDWR | os.O_NOCTTY)
+        self.addCleanup(os.close, held)
+        self.assertRegex(self.fails(), rf"{port} is open in test_robot.py \(pid {os.getpid()}\)")
+
+    def test_driver_without_a_port_needs_none(self):
+        self.order("scarab-robot-bridge", "configuration", "driver: amosii\namosii: {delay_s: 0}\n")
+        self.assertEqual(self.scarab("up", *self.words)[0], 0)
+
+
+class Doctor(RobotCase):
+    def finding(self, *words):
+        code, out, err = self.scarab("doctor", "device", *words)
+        self.assertEqual(err, "")
+        return code, " ".join(out.split())
+
+    def test_port(self):
+        port = self.a_port()
+        self.configure(port)
+        self.assertEqual(self.finding(*self.words), (0, f"ok device {port} is there, may be opened, and is free no problems"))
+        held = os.open(port, os.O_RDWR | os.O_NOCTTY)
+        code, text = self.finding(*self.words)
+        os.close(held)
+        self.assertEqual(code, 1)
+        self.assertRegex(text, rf"PROBLEM device {port} is open in test_robot.py .* garble each other's frames.")
+        code, text = self.finding(*self.words, "--device", "/dev/no-such-port")
+        self.assertEqual(code, 1)
+        self.assertIn("there is no /dev/no-such-port", text)
+
+    def test_profile_without_a_robot(self):
+        self.assertEqual(self.finding(), (0, "ok device the profile drives no robot no problems"))
+
+
+class Refusals(RobotCase):
+    def test_pace_that_a_robot_does_not_have(self):
+        self.assertEqual(self.refused("run", *self.words, "--lockstep"),
+                         "--lockstep: robot_bridge goes in real time only. Leave the option out\n")
+
+    def test_device_options_of_a_profile_without_one(self):
+        self.assertIn("--emulated: profile 'sim' names no hardware to emulate; with --profile robot",
+                      self.refused("run", "--emulated"))
+        self.assertIn("--device: profile 'sim' drives no device; with --profile robot",
+                      self.refused("up", "--device", "/dev/x"))
+
+    def test_device_that_is_named_and_emulated(self):
+        self.assertIn("contradict each other", self.refused("up", *self.words, "--emulated", "--device", "/dev/x"))
+
+    def test_several_emulators(self):
+        self.assertIn("there can be just one", self.refused("up", *self.words, "--emulated", "--replicas", "emulator=2"))
+
+    def test_emulator_is_not_there_to_be_configured_without_its_option(self):
+        self.assertIn("starts no service 'emulator'",
+                      self.refused("up", *self.words, "--config", f"emulator={self.stack_file}"))
+
+    def test_driver_without_a_file(self):
+        self.stack_file.write_text(self.stack_file.read_text().replace("driver: amosii", "driver: none"))
+        self.assertIn("driver 'none' has no ", self.refused("up", *self.words))
+
+    def test_experiments_on_a_robot(self):
+        code, _, err = self.scarab("experiment", "obstacle", "--profile", "robot")
+        self.assertEqual(code, 2, err)
+        self.assertIn("an experiment's trials are simulated", err)
+        self.assertIn("deploy/scarab run --profile robot", err)
+
+
+class Drivers(unittest.TestCase):
+    """Those that a robot has a configuration for, in a source tree of the test's own."""
+
+    files = ("robot/beetle.yaml", "robot/beetle-long.yaml", "robot/ant.yaml", "robot_bridge/beetle-amosii.yaml",
+             "robot_bridge/beetle-dynamixel.yaml", "robot_bridge/beetle-long-loopback.yaml")
+
+    def setUp(self):
+        folder = tempfile.TemporaryDirectory()
+        self.addCleanup(folder.cleanup)
+        self.root = Path(folder.name)
+        for name in self.files:
+            (self.root / "config" / name).parent.mkdir(parents=True, exist_ok=True)
+            (self.root / "config" / name).write_text("")
+        self.stack_file = self.root / "stack.yaml"
+        self.stack_file.write_text(STACK.replace("FOLDER/bridge-", "config/robot_bridge/{robot}-").replace(
+            "FOLDER/robot", "config/robot/{robot}"))
+
+    def read(self, profile="robot", **changes):
+        return read_stack(self.stack_file, profile, self.root, StackChanges(**changes))
+
+    def test_file_of_the_robot_and_the_driver_is_chosen(self):
+        for changes, name in (({}, "beetle-amosii"), ({"driver": "dynamixel"}, "beetle-dynamixel"),
+                              ({"robot": "beetle-long", "driver": "loopback"}, "beetle-long-loopback")):
+            stack = self.read(**changes)
+            self.assertEqual(stack.service("robot_bridge").config,
+                             self.root / "config" / "robot_bridge" / f"{name}.yaml")
+            self.assertEqual(stack.driver, changes.get("driver", "amosii"))
+
+    def test_profile_without_a_bridge_has_no_driver(self):
+        self.assertEqual(self.read("sim").driver, "")
+
+    def test_unknown_one_is_named_with_those_that_there_are(self):
+        for changes, reason in (
+                ({"driver": "dynamixl"}, r"unknown driver 'dynamixl' \(did you mean 'dynamixel'\?\); for robot 'beetle' "
+                                         "config/robot_bridge has amosii, dynamixel$"),
+                ({"robot": "ant", "driver": "amosii"}, "for robot 'ant' config/robot_bridge has none"),
+                ({"robot": "ant"}, "robot 'ant', driver 'amosii' has no config/robot_bridge/ant-amosii.yaml, which "
+                                   "service robot_bridge reads")):
+            with self.assertRaisesRegex(UsageError, reason):
+                self.read(**changes)
+
+
+class Readiness(RobotCase):
+    def setUp(self):
+        super().setUp()
+        self.configure(self.a_port())
+
+    def test_wait_is_told_of_while_it_lasts(self):
+        self.order("scarab-status", "progress", "robot_bridge/0 is not configured: servo 4 does not answer")
+        self.order("scarab-status", "hold")
+        launcher = self.start("up", *self.words)
+        line = launcher.stderr.readline()
+        self.assertEqual(line, "scarab: waits: robot_bridge/0 is not configured: servo 4 does not answer\n")
+        self.assertIsNone(launcher.poll())
+        self.withdraw("scarab-status", "hold")
+        self.assertEqual(self.finish(launcher)[0], 0)
+
+    def test_answer_in_the_end_is_told_once(self):
+        self.order("scarab-status", "progress", "robot_bridge/0 is missing")
+        self.order("scarab-status", "never-ready")
+        code, _, err = self.scarab("up", *self.words)
+        self.assertEqual(code, 1)
+        self.assertRegex(err, r"\Ascarab: waits: robot_bridge/0 is missing\n"
+                              r"scarab: the stack is not ready after \d s:\na table\nscarab-status: premotor is missing\n\Z")
+
+    def test_interrupted_wait_leaves_nothing(self):
+        self.order("scarab-status", "hold")
+        launcher = self.start("up", *self.words, "--emulated")
+        wait_until(lambda: ("start", "scarab-robot-bridge") in self.journal(), "all start")
+        os.kill(launcher.pid, signal.SIGINT)
+        self.assertEqual(self.finish(launcher)[0], 130)
+        self.assertEqual(self.living(), [])
+
+
+if __name__ == "__main__":
+    unittest.main()
