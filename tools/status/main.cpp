@@ -28,6 +28,8 @@ int main(int argc, char** argv) {
          },
          "wait until these services are up, such as plant=1,premotor=1")
       ->type_name("NAME=COUNT,...");
+  app.add_flag("--progress", options.progress,
+               "of --wait: say on stderr what is missing, after 2 s and whenever that changes");
   app.add_option("--look", options.look_s, "look at least so long, s: longer makes rates truer")
       ->check(CLI::Range(0.0, 3600.0))
       ->capture_default_str();

@@ -21,22 +21,50 @@ using Seconds = std::chrono::duration<double>;
 constexpr std::chrono::milliseconds kPoll{20};
 constexpr Seconds kDiscovery{1.0};  // nobody can say that there is nobody
 
-/// What is not as it should be with the services waited for.
-std::vector<std::string> troubles(const runtime::StatusBoard& board,
-                                  const runtime::Expectation& wait_for) {
-  auto troubles = board.missing(wait_for, 0);
-  for (auto& name : troubles) name += " is missing";
+/// How those waited for are.
+struct Readiness {
+  bool all_there = true;
+  bool fault = false;
+  std::vector<std::string> troubles;  ///< what is not as it should be, a few words each
+
+  [[nodiscard]] bool settled() const { return troubles.empty() || (all_there && fault); }
+};
+
+Readiness readiness(const runtime::StatusBoard& board, const runtime::Expectation& wait_for) {
+  Readiness found;
+  found.troubles = board.missing(wait_for, 0);
+  found.all_there = found.troubles.empty();
+  for (auto& name : found.troubles) name += " is missing";
   for (const auto& [peer, report] : board.reports()) {
     if (wait_for.count(peer.service) == 0) continue;
+    const std::string name = bus::to_string(peer);
     if (report.health == scarab_HEALTH_FAULT) {
-      troubles.push_back(bus::to_string(peer) + ": " + report.message);
+      found.fault = true;
+      found.troubles.push_back(name + ": " + report.message);
     } else if (report.lifecycle != scarab_LIFECYCLE_INACTIVE &&
                report.lifecycle != scarab_LIFECYCLE_ACTIVE) {
-      troubles.push_back(bus::to_string(peer) + " is not configured");
+      const std::string why = report.message.empty() ? "" : ": " + report.message;
+      found.troubles.push_back(name + " is not configured" + why);
     }
   }
-  return troubles;
+  return found;
 }
+
+/// Tells a person what a long wait is for.
+class Progress {
+ public:
+  void tell(const std::vector<std::string>& troubles) {
+    const std::string text = runtime::join(troubles);
+    if (text.empty() || text == told_ || Clock::now() - since_ < kPatience) return;
+    std::cerr << "scarab-status: waiting: " << text << std::endl;
+    told_ = text;
+  }
+
+ private:
+  static constexpr Seconds kPatience{2.0};
+  Clock::time_point since_ = Clock::now();
+  std::string told_;
+};
 
 /// A participant that looks on.
 class Onlooker {
@@ -57,9 +85,14 @@ class Onlooker {
   void look(Seconds time) {
     look_until(time, [] { return false; });
   }
-  /// Until all of these are there and well, at most `limit`.
-  void await(const runtime::Expectation& services, Seconds limit) {
-    look_until(limit, [&] { return troubles(board_, services).empty(); });
+  /// Until all of these are there and well, or there and faulty; at most `limit`.
+  void await(const runtime::Expectation& services, Seconds limit, bool with_progress) {
+    Progress progress;
+    look_until(limit, [&] {
+      const Readiness now = readiness(board_, services);
+      if (with_progress) progress.tell(now.troubles);
+      return now.settled();
+    });
   }
 
   [[nodiscard]] bool asked_to_stop() const { return shutdown_.requested(); }
@@ -118,11 +151,12 @@ int show(const StatusOptions& options) {
   Onlooker onlooker(options.bus);
   const bool waiting = !options.wait_for.empty();
   onlooker.look(waiting ? Seconds(options.look_s) : std::max(Seconds(options.look_s), kDiscovery));
-  if (waiting) onlooker.await(options.wait_for, Seconds(options.timeout_s - options.look_s));
+  if (waiting)
+    onlooker.await(options.wait_for, Seconds(options.timeout_s - options.look_s), options.progress);
   if (onlooker.asked_to_stop()) return runtime::kExitInterrupted;
   print(onlooker.snapshot(), options.json);
   if (waiting) {
-    const auto left = troubles(onlooker.board(), options.wait_for);
+    const auto left = readiness(onlooker.board(), options.wait_for).troubles;
     if (left.empty()) return runtime::kExitSuccess;
     std::cerr << "scarab-status: " << runtime::join(left) << '\n';
     return runtime::kExitFailure;
@@ -134,7 +168,8 @@ int show(const StatusOptions& options) {
 
 int watch(const StatusOptions& options) {
   Onlooker onlooker(options.bus);
-  if (!options.wait_for.empty()) onlooker.await(options.wait_for, Seconds(options.timeout_s));
+  if (!options.wait_for.empty())
+    onlooker.await(options.wait_for, Seconds(options.timeout_s), options.progress);
   while (!onlooker.asked_to_stop() && std::cout) {
     onlooker.look(Seconds(options.period_s));
     if (!onlooker.asked_to_stop()) print(onlooker.snapshot(), options.json);
