@@ -14,7 +14,12 @@ _STATES = ("IDLE", "APPROACH", "CLIMB", "MODE_1", "MODE_2", "DONE", "FAILED", "S
            "MANUAL")
 _MODES = ("STOP", "FORWARD", "BACKWARD", "SOFT_PUSH", "BOXING", "STATIONARY", "HARD_PUSH")
 _POSITIONS = {f"{joint}_rad": f"position_rad[{slot}]" for joint, slot in JOINT_SLOTS.items()}
+_POSITION_SOURCES = tuple(f"position_source[{slot}]" for slot in JOINT_SLOTS.values())
 _COLUMNS = ("time_s", "state", "mode", *_SIGNALS, *(f"{joint}_rad" for joint in JOINT_SLOTS))
+_TRIGGER_NUMBERS = ("trigger_value", "trigger_threshold")
+_ORIGINS = ("trigger", "position_source", "imu_source")
+_TRIGGERS = ("NONE", "FRONT_ANGLE", "SUPPLY_CURRENT", "FOOT_FORCE")
+_SOURCES = ("ABSENT", "MEASURED", "COMMANDED")
 Row = Dict[str, str]
 
 
@@ -26,6 +31,9 @@ class SignalTable:
     state: List[str]
     mode: List[str]
     signals: Dict[str, List[float]]
+    trigger: str  # what switches to mode 2; its signal is `trigger_value`, in rad, A or N
+    position_source: str  # MEASURED, COMMANDED, ABSENT: where the joints' angles come from, or MIXED
+    imu_source: str  # the same of the inclination
 
 
 def join_tables(behaviour: Path, robot_state: Path) -> SignalTable:
@@ -43,12 +51,17 @@ def joined(decided: Sequence[Row], measured: Sequence[Row], origin: str) -> Sign
     for time_ns, row in {int(row["header.sim_time_ns"]): row for row in decided}.items():
         if time_ns not in at_time:
             continue
+        felt = at_time[time_ns]
         rows.append({
             "time_s": time_ns * 1e-9,
             "state": _named(row["state"], "BEHAVIOUR_", _STATES),
             "mode": _named(row["mode"], "MODE_", _MODES),
             **{name: row[name] for name in _SIGNALS},
-            **{name: at_time[time_ns][column] for name, column in _POSITIONS.items()},
+            **{name: felt[column] for name, column in _POSITIONS.items()},
+            **_trigger_of(row),
+            "position_source": _common([_named(felt[name], "SOURCE_", _SOURCES)
+                                        for name in _POSITION_SOURCES if name in felt]),
+            "imu_source": _common([_named(felt["imu_source"], "SOURCE_", _SOURCES)] if "imu_source" in felt else []),
         })
     return _table(rows, f"{origin} have no tick in common")
 
@@ -61,10 +74,11 @@ def read_table(file: Path) -> SignalTable:
 def write_table(file: Path, table: SignalTable) -> None:
     with open(file, "w", newline="") as out:
         writer = csv.writer(out, lineterminator="\n")
-        writer.writerow(_COLUMNS)
+        writer.writerow((*_COLUMNS, *_TRIGGER_NUMBERS, *_ORIGINS))
+        origins = [getattr(table, name) for name in _ORIGINS]
         for i, time_s in enumerate(table.time_s):
-            numbers = (f"{table.signals[name][i]:.9g}" for name in _COLUMNS[3:])
-            writer.writerow([f"{time_s:.9g}", table.state[i], table.mode[i], *numbers])
+            numbers = (f"{table.signals[name][i]:.9g}" for name in (*_COLUMNS[3:], *_TRIGGER_NUMBERS))
+            writer.writerow([f"{time_s:.9g}", table.state[i], table.mode[i], *numbers, *origins])
 
 
 def _read_rows(file: Path, columns: Sequence[str]) -> List[Dict[str, str]]:
@@ -80,13 +94,28 @@ def _table(rows: List[Dict[str, object]], complaint: str) -> SignalTable:
     if not rows:
         raise ReportError(complaint)
     try:
-        rows = sorted(rows, key=lambda row: float(row["time_s"]))
+        rows = [{**_trigger_of(row), **row} for row in sorted(rows, key=lambda row: float(row["time_s"]))]
+        origins = {name: str(rows[-1].get(name, "MEASURED")) for name in _ORIGINS}
         return SignalTable(
             [float(row["time_s"]) for row in rows], [str(row["state"]) for row in rows],
             [str(row["mode"]) for row in rows],
-            {name: [float(row[name]) for row in rows] for name in _COLUMNS[3:]})
+            {name: [float(row[name]) for row in rows] for name in (*_COLUMNS[3:], *_TRIGGER_NUMBERS)}, **origins)
     except ValueError as error:
         raise ReportError(f"a value is no number: {error}") from None
+
+
+def _trigger_of(row: Row) -> Row:
+    """Logs and tables that do not say were made when AS was the only one."""
+    if "trigger" not in row:
+        return {"trigger": "FRONT_ANGLE", "trigger_value": row["as_rad"], "trigger_threshold": row["as_threshold_rad"]}
+    return {"trigger": _named(row["trigger"], "TRIGGER_", _TRIGGERS),
+            **{name: row[name] for name in _TRIGGER_NUMBERS}}
+
+
+def _common(sources: Sequence[str]) -> str:
+    """That of all; older logs do not say, and were of a plant that measures everything."""
+    different = set(sources) or {"MEASURED"}
+    return different.pop() if len(different) == 1 else "MIXED"
 
 
 def _named(value: str, prefix: str, names: Sequence[str]) -> str:

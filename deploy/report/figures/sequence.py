@@ -19,6 +19,11 @@ from .style import PAGE, journal_style, save
 _TINTS = {"APPROACH": "#f4f4f4", "CLIMB": "#cfe3f3", "MODE_1": "#fdeecb", "MODE_2": "#c4e0d5",
           "DONE": "#ffffff", "FAILED": "#f3d3c4", "SAFE_STOP": "#f3d3c4", "IDLE": "#ffffff"}
 _LINE, _THRESHOLD, _EDGE = "#0b3c5d", "#b3401a", "#8a8a8a"
+_OTHER_TRIGGERS = {"SUPPLY_CURRENT": ("supply current", "current [A]"),
+                   "FOOT_FORCE": ("force on the front feet", "force [N]")}
+_ORIGIN_OF_ANGLES = {"COMMANDED": "as commanded: this robot does not measure the angles of its joints",
+                     "ABSENT": "this robot does not tell the angles of its joints",
+                     "MIXED": "some of these joints as commanded: they are not measured"}
 _SHORT_SPAN_SHARE = 0.07  # of the time axis: a narrower span has its label upright
 
 @dataclass(frozen=True)
@@ -72,10 +77,11 @@ def draw_signals(table: SignalTable, prefix: Path, note: str = "") -> List[Path]
         behaviours = spans(table)
         for axis in axes:
             _shade(axis, behaviours)
-        _draw_trigger(axes[0], table, "bs", "BS", "body inclination")
-        _draw_trigger(axes[1], table, "as", "AS", "mean angle of the front F-joints")
+        _draw_inclination(axes[0], table)
+        _draw_trigger(axes[1], table)
         for axis, joint in zip(axes[2:], JOINT_SLOTS):
             _draw_angle(axis, table, joint)
+        _say(axes[2], _ORIGIN_OF_ANGLES.get(table.position_source, ""))
         _label_spans(axes[0], behaviours)
         axes[-1].set_xlabel("simulated time [s]")
         axes[-1].set_xlim(table.time_s[0], max(table.time_s[-1], table.time_s[0] + 0.1))
@@ -86,13 +92,34 @@ def draw_signals(table: SignalTable, prefix: Path, note: str = "") -> List[Path]
         return save(figure, prefix)
 
 
-def _draw_trigger(axis: Axes, table: SignalTable, signal: str, name: str, meaning: str) -> None:
-    angle = _degrees(table.signals[f"{signal}_rad"])
-    threshold = _degrees(table.signals[f"{signal}_threshold_rad"])
-    axis.plot(table.time_s, angle, color=_LINE, linewidth=1.4, label=f"{name}: {meaning}")
+def _draw_inclination(axis: Axes, table: SignalTable) -> None:
+    axis.set_ylabel("BS [deg]")
+    if table.imu_source == "ABSENT":
+        _say(axis, "BS: this robot does not measure its inclination")
+        return
+    _draw_signal(axis, table, "BS: body inclination", _degrees(table.signals["bs_rad"]),
+                 _degrees(table.signals["bs_threshold_rad"]))
+
+
+def _draw_trigger(axis: Axes, table: SignalTable) -> None:
+    """The signal that tells of the obstacle: AS, or what a robot without joint angles has in its place."""
+    if table.trigger in _OTHER_TRIGGERS:
+        name, unit = _OTHER_TRIGGERS[table.trigger]
+        axis.set_ylabel(unit)
+        _draw_signal(axis, table, name, table.signals["trigger_value"], table.signals["trigger_threshold"])
+        return
+    axis.set_ylabel("AS [deg]")
+    if table.position_source in ("ABSENT", "COMMANDED"):
+        _say(axis, "AS: this robot does not measure the angles of its joints")
+        return
+    _draw_signal(axis, table, "AS: mean angle of the front F-joints", _degrees(table.signals["as_rad"]),
+                 _degrees(table.signals["as_threshold_rad"]))
+
+
+def _draw_signal(axis: Axes, table: SignalTable, name: str, value: List[float], threshold: List[float]) -> None:
+    axis.plot(table.time_s, value, color=_LINE, linewidth=1.4, label=name)
     axis.plot(table.time_s, threshold, color=_THRESHOLD, linewidth=1.0, linestyle=(0, (5, 3)),
               label="threshold")
-    axis.set_ylabel(f"{name} [deg]")
     axis.margins(y=0.12)
     axis.legend(loc="best", ncol=2, fontsize=7.5, framealpha=0.8, edgecolor="none", borderpad=0.3)
 
@@ -102,6 +129,10 @@ def _draw_angle(axis: Axes, table: SignalTable, joint: str) -> None:
     axis.set_ylabel(f"{joint} [deg]")
     axis.yaxis.set_major_locator(plt.MaxNLocator(3))
     axis.margins(y=0.15)
+
+
+def _say(axis: Axes, text: str) -> None:
+    axis.text(0.01, 0.06, text, transform=axis.transAxes, fontsize=7.5, color=_EDGE)
 
 
 def _shade(axis: Axes, behaviours: List[Span]) -> None:

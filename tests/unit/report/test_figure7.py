@@ -101,6 +101,49 @@ class Figure7(unittest.TestCase):
         self.write_behaviour(lambda state: str(names.index(state)))
         self.assertEqual(join_tables(self.behaviour, self.robot_state), by_name)
 
+    def of_a_robot(self, trigger, position, imu):
+        """The samples as of a robot that measures less than the plant does."""
+        def add(file, header, values):
+            first, *rows = file.read_text().splitlines()
+            file.write_text("\n".join([f"{first},{header}", *(f"{row},{values}" for row in rows)]) + "\n")
+
+        add(self.behaviour, "trigger,trigger_value,trigger_threshold", f"TRIGGER_{trigger},2.5,3")
+        slots = range(19)
+        add(self.robot_state, ",".join(["imu_source", *(f"position_source[{i}]" for i in slots)]),
+            ",".join([f"SOURCE_{imu}", *(f"SOURCE_{position}" for _ in slots)]))
+
+    def test_older_samples_are_of_a_plant_that_measures_all(self):
+        table = join_tables(self.behaviour, self.robot_state)
+        self.assertEqual((table.trigger, table.position_source, table.imu_source),
+                         ("FRONT_ANGLE", "MEASURED", "MEASURED"))
+        self.assertEqual(table.signals["trigger_value"], table.signals["as_rad"])
+
+    def test_robot_that_measures_no_angles_has_a_figure_of_its_own_that_can_be_drawn_again(self):
+        self.draw(*self.samples())
+        drawn = {(self.room / "figure7.svg").read_bytes()}
+        for trigger, position, imu in (("SUPPLY_CURRENT", "COMMANDED", "MEASURED"), ("NONE", "COMMANDED", "MEASURED"),
+                                       ("NONE", "COMMANDED", "ABSENT")):
+            with self.subTest(trigger=trigger, imu=imu):
+                self.write_behaviour(lambda state: f"BEHAVIOUR_{state}")
+                self.write_robot_state(range(sum(count for *_, count in BEHAVIOURS)))
+                self.of_a_robot(trigger, position, imu)
+                done = self.draw(*self.samples())
+                self.assertEqual((done.returncode, done.stderr), (0, ""))
+                figure = (self.room / "figure7.svg").read_bytes()
+                self.assertNotIn(figure, drawn)
+                drawn.add(figure)
+                table = read_table(self.room / "figure7.csv")
+                self.assertEqual((table.trigger, table.position_source, table.imu_source), (trigger, position, imu))
+                self.assertEqual(set(table.signals["trigger_value"]), {2.5})
+                self.draw("--table", self.room / "figure7.csv")
+                self.assertEqual((self.room / "figure7.svg").read_bytes(), figure)
+
+    def test_joints_of_different_sources(self):
+        self.of_a_robot("FRONT_ANGLE", "MEASURED", "MEASURED")
+        text = self.robot_state.read_text()
+        self.robot_state.write_text(text.replace("MEASURED,SOURCE_MEASURED", "MEASURED,SOURCE_COMMANDED"))
+        self.assertEqual(join_tables(self.behaviour, self.robot_state).position_source, "MIXED")
+
     def test_only_ticks_of_both_tables_are_drawn(self):
         self.write_robot_state(range(10, 50))
         self.assertEqual(len(join_tables(self.behaviour, self.robot_state).time_s), 40)
