@@ -18,7 +18,7 @@ from .style import PAGE, journal_style, save
 # neighbours when printed in grey.
 _TINTS = {"APPROACH": "#f4f4f4", "CLIMB": "#cfe3f3", "MODE_1": "#fdeecb", "MODE_2": "#c4e0d5",
           "DONE": "#ffffff", "FAILED": "#f3d3c4", "SAFE_STOP": "#f3d3c4", "IDLE": "#ffffff"}
-_LINE, _THRESHOLD, _EDGE = "#0b3c5d", "#b3401a", "#8a8a8a"
+_LINE, _THRESHOLD, _EDGE, _NOTE = "#0b3c5d", "#b3401a", "#8a8a8a", "#555555"
 _OTHER_TRIGGERS = {"SUPPLY_CURRENT": ("supply current", "current [A]"),
                    "FOOT_FORCE": ("force on the front feet", "force [N]")}
 _ORIGIN_OF_ANGLES = {"COMMANDED": "as commanded: this robot does not measure the angles of its joints",
@@ -81,7 +81,8 @@ def draw_signals(table: SignalTable, prefix: Path, note: str = "") -> List[Path]
         _draw_trigger(axes[1], table)
         for axis, joint in zip(axes[2:], JOINT_SLOTS):
             _draw_angle(axis, table, joint)
-        _say(axes[2], _ORIGIN_OF_ANGLES.get(table.position_source, ""))
+        axes[2].set_title(_ORIGIN_OF_ANGLES.get(table.position_source, ""), loc="right", fontsize=7, pad=1.5,
+                          color=_NOTE)
         _label_spans(axes[0], behaviours)
         axes[-1].set_xlabel("simulated time [s]")
         axes[-1].set_xlim(table.time_s[0], max(table.time_s[-1], table.time_s[0] + 0.1))
@@ -95,7 +96,7 @@ def draw_signals(table: SignalTable, prefix: Path, note: str = "") -> List[Path]
 def _draw_inclination(axis: Axes, table: SignalTable) -> None:
     axis.set_ylabel("BS [deg]")
     if table.imu_source == "ABSENT":
-        _say(axis, "BS: this robot does not measure its inclination")
+        _say_instead(axis, "this robot does not measure its inclination")
         return
     _draw_signal(axis, table, "BS: body inclination", _degrees(table.signals["bs_rad"]),
                  _degrees(table.signals["bs_threshold_rad"]))
@@ -110,7 +111,7 @@ def _draw_trigger(axis: Axes, table: SignalTable) -> None:
         return
     axis.set_ylabel("AS [deg]")
     if table.position_source in ("ABSENT", "COMMANDED"):
-        _say(axis, "AS: this robot does not measure the angles of its joints")
+        _say_instead(axis, "this robot does not measure the angles of its joints")
         return
     _draw_signal(axis, table, "AS: mean angle of the front F-joints", _degrees(table.signals["as_rad"]),
                  _degrees(table.signals["as_threshold_rad"]))
@@ -131,8 +132,9 @@ def _draw_angle(axis: Axes, table: SignalTable, joint: str) -> None:
     axis.margins(y=0.15)
 
 
-def _say(axis: Axes, text: str) -> None:
-    axis.text(0.01, 0.06, text, transform=axis.transAxes, fontsize=7.5, color=_EDGE)
+def _say_instead(axis: Axes, text: str) -> None:
+    axis.text(0.5, 0.5, text, transform=axis.transAxes, fontsize=8, color=_NOTE, ha="center", va="center")
+    axis.set_yticks([])
 
 
 def _shade(axis: Axes, behaviours: List[Span]) -> None:
