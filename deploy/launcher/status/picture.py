@@ -34,8 +34,9 @@ class Picture:
 
     @property
     def in_trial(self) -> bool:
-        """Whether anybody still is: a bridge that has lost its robot is not, though its trial goes on."""
-        return any(s["lifecycle"] == "active" for s in self.services.values())
+        """Whether the tick master is: one that has lost its robot is inactive, but goes on ticking, in a safe stop."""
+        master = self.tick_master
+        return bool(master) and (master["lifecycle"] == "active" or (_unwell(master) and master["ticks_per_s"] > 0))
 
     @property
     def ticks_per_s(self) -> float:

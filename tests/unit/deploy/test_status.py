@@ -169,6 +169,21 @@ class Status(FakeStackTest):
         self.say(report("logger"), report("plant", "degraded", "safe stop: stale"), report("premotor"))
         self.assertEqual(self.trouble(), "plant/0 is degraded: safe stop: stale")
 
+    def test_robot_that_is_not_there_is_waited_for(self):
+        self.say(report("logger"), report("plant", "waiting", "no device at /dev/ttyUSB0", trial=0,
+                                          lifecycle="unconfigured"), report("premotor"))
+        self.assertEqual(self.trouble(), "plant/0: no device at /dev/ttyUSB0")
+        out = self.scarab("status", *self.words)[1]
+        self.assertRegex(out, r"plant .* unconfigured +waiting ")
+        self.assertIn("waiting: plant/0: no device at /dev/ttyUSB0\n", out)
+
+    def test_trial_whose_robot_is_lost_is_not_over(self):
+        self.say(report("logger"), report("plant", "degraded", "safe stop: lost", lifecycle="inactive"),
+                 report("premotor"))
+        self.assertIn("trial 3: tick 412, 41.2 s, 10.0 ticks/s", self.scarab("status", *self.words)[1])
+        self.say(report("logger"), report("plant", lifecycle="inactive"), report("premotor"))
+        self.assertIn("trial 3: tick 412, 41.2 s, over\n", self.scarab("status", *self.words)[1])
+
     def test_pause_is_shown_but_is_no_trouble(self):
         self.say(report("logger"), report("plant", "waiting", "paused by the operator"),
                  report("premotor"))
