@@ -73,7 +73,7 @@ class Keeper:
             self._signals.raise_if_stop_requested()
             self._fail_if_one_ended()
             if not question.ready:
-                raise Failure(f"the stack is not ready after {time.monotonic() - began:.0f} s:\n"
+                raise Failure(f"the stack is not ready after {time.monotonic() - began:.1f} s:\n"
                               f"{question.answer()}")
 
     def _fail_if_one_ended(self) -> None:

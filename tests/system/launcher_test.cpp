@@ -58,6 +58,19 @@ TEST_F(Launcher, RunThatFailsSaysSo) {
   EXPECT_THAT(living(), IsEmpty());
 }
 
+TEST_F(Launcher, ServiceThatCannotGoOnEndsTheStartAtOnce) {
+  const std::string file = directory_ / "logger.yaml";
+  write_text(file, "extends: " + source_file("config/logger/default.yaml") +
+                       "\nfree_disk_mib: 1073741824\n");
+  const auto begin = std::chrono::steady_clock::now();
+  const auto result =
+      run(scarab_run(kSuccess + Arguments{"--config", "logger=" + file}), kRunLimit);
+  EXPECT_EQ(result.exit_code, 1) << result.out << result.err;
+  EXPECT_THAT(result.err, HasSubstr("logger/0: disk too full to record"));
+  EXPECT_LT(std::chrono::steady_clock::now() - begin, std::chrono::seconds(15)) << "not 30 s";
+  EXPECT_THAT(living(), IsEmpty());
+}
+
 TEST_F(Launcher, UnknownStrategyFailsAndNamesTheKnownOnes) {
   const auto result = run(scarab_run({"--strategy", "sofd"}), kRunLimit);
   EXPECT_NE(result.exit_code, 0);

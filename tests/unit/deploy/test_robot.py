@@ -335,7 +335,7 @@ class Readiness(RobotCase):
         code, _, err = self.scarab("up", *self.words)
         self.assertEqual(code, 1)
         self.assertRegex(err, r"\Ascarab: waits: robot_bridge/0 is missing\n"
-                              r"scarab: the stack is not ready after \d s:\na table\nscarab-status: premotor is missing\n\Z")
+                              r"scarab: the stack is not ready after \d\.\d s:\na table\nscarab-status: premotor is missing\n\Z")
 
     def test_interrupted_wait_leaves_nothing(self):
         self.order("scarab-status", "hold")
