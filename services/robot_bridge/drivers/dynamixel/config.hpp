@@ -116,7 +116,7 @@ void visit_fields(Fields& f, Config& c) {
   f("port", c.port);
   f("baud", c.baud, config::Range{9600, 4500000});
   f("sync_read", c.sync_read);
-  f("reply_timeout_s", c.reply_timeout_s, config::Range{0.0005, 0.1});
+  f("reply_timeout_s", c.reply_timeout_s, config::Range{0.001, 0.1});
   f("retries", c.retries, config::Range{0, 10});
   f("bus_watchdog_s", c.bus_watchdog_s, config::Range{0.02, 2.54});
   f("servos", c.servos);

@@ -18,11 +18,14 @@ Status part(ByteView bytes, std::size_t data_bytes) {
 
 }  // namespace
 
+std::size_t fast_status_bytes(std::size_t devices, std::size_t data_bytes) {
+  return kPrefixBytes + kInstructionBytes + devices * (kErrorAndId + data_bytes + kCrcBytes);
+}
+
 std::vector<Bytes> encode_fast_status(const std::vector<Status>& statuses) {
   if (statuses.empty()) return {};
   const std::size_t data_bytes = statuses.front().data.size();
-  const std::size_t length =
-      kInstructionBytes + statuses.size() * (kErrorAndId + data_bytes + kCrcBytes);
+  const std::size_t length = fast_status_bytes(statuses.size(), data_bytes) - kPrefixBytes;
   if (length > kMaxLength) throw std::invalid_argument("too many devices for one fast status");
 
   std::vector<Bytes> chunks;

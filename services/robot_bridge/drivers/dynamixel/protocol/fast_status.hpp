@@ -18,6 +18,9 @@
 /// the last one is that of the whole packet. The first device sends the header and LEN, too.
 namespace scarab::bridge::dynamixel {
 
+/// How long that packet is on the wire, `data_bytes` from each device.
+[[nodiscard]] std::size_t fast_status_bytes(std::size_t devices, std::size_t data_bytes);
+
 /// The bytes on the wire, a chunk for each device in the order asked, as they send them in turn.
 /// All data must be of one length; throws std::invalid_argument if not, or if they are too many.
 [[nodiscard]] std::vector<Bytes> encode_fast_status(const std::vector<Status>& statuses);

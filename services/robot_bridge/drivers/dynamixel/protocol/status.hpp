@@ -44,6 +44,11 @@ inline bool operator==(const Status& a, const Status& b) {
 /// A status with all but its data.
 [[nodiscard]] Status status_of(std::uint8_t id, std::uint8_t error_byte);
 
+/// How long a status with so much data is on the wire, but for stuffing.
+[[nodiscard]] constexpr std::size_t status_bytes(std::size_t data_bytes) {
+  return kPrefixBytes + 2 + data_bytes + kCrcBytes;  // instruction and error byte
+}
+
 [[nodiscard]] Packet to_packet(const Status& status);
 /// None if the packet is no status of one device.
 [[nodiscard]] std::optional<Status> as_status(const Packet& packet);

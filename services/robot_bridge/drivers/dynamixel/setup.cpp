@@ -1,0 +1,113 @@
+#include "services/robot_bridge/drivers/dynamixel/setup.hpp"
+
+#include <algorithm>
+#include <optional>
+
+#include "services/robot_bridge/drivers/dynamixel/torque.hpp"
+
+namespace scarab::bridge::dynamixel {
+namespace {
+
+constexpr int kPings = 2;  // of each device
+constexpr std::size_t kPingBytes = 3;
+
+/// Bits of the drive mode with which a servo does something else than it is told: turns the other
+/// way (calibration's part), or switches its torque on by itself when it gets a goal (e-Manual,
+/// XM430-W350, "Drive Mode").
+constexpr std::int64_t kUnwantedDriveModes = kReverseDriveMode | 0x08;
+
+std::optional<PingAnswer> find(Bus& bus, std::uint8_t id) {
+  for (int i = 0; i < kPings; ++i) {
+    if (const auto status = bus.ask_once(ping(id), kPingBytes)) return as_ping_answer(status->data);
+  }
+  return std::nullopt;
+}
+
+void add(std::string& list, const std::string& text) { list += (list.empty() ? "" : ", ") + text; }
+
+/// Writes it to the servos that have another value, one by one: each confirms it.
+void settle(ServoGroup& servos, std::size_t index, ItemOf item, std::int64_t wanted) {
+  if (servos.read_one(index, item) != wanted) servos.write_one(index, item, wanted);
+}
+
+void check_drive_mode(ServoGroup& servos) {
+  const Counts modes = servos.read(&ServoModel::drive_mode);
+  for (std::size_t i = 0; i < servos.size(); ++i) {
+    if ((modes[i] & kUnwantedDriveModes) == 0) continue;
+    throw DeviceError(servos.bus().path() + ": " + servos.name_of(i) + " is in drive mode " +
+                      std::to_string(modes[i]) +
+                      "; needs one without reversal (a calibration's direction is for that) and "
+                      "without torque by goal update");
+  }
+}
+
+}  // namespace
+
+void find_devices(ServoGroup& servos, const std::vector<std::uint8_t>& boards) {
+  Bus& bus = servos.bus();
+  std::string silent;
+  std::string others;
+  std::size_t found = 0;
+  for (std::size_t i = 0; i < servos.size(); ++i) {
+    const auto answer = find(bus, servos.servos()[i].id);
+    const int wanted = servos.servos()[i].model.model_number;
+    if (!answer) {
+      add(silent, servos.name_of(i));
+      continue;
+    }
+    ++found;
+    if (answer->model_number == wanted) continue;
+    add(others, servos.name_of(i) + " is a model " +
+                    std::to_string(static_cast<int>(answer->model_number)) + " in place of " +
+                    std::to_string(wanted));
+  }
+  for (const std::uint8_t id : boards) {
+    if (find(bus, id)) {
+      ++found;
+    } else {
+      add(silent, bus.name_of(id));
+    }
+  }
+  if (found == 0) {
+    throw DeviceError(bus.path() +
+                      ": no device answers; is the power on, and is it their baud "
+                      "rate?");
+  }
+  if (!silent.empty()) throw DeviceError(bus.path() + ": missing: " + silent);
+  if (!others.empty()) throw DeviceError(bus.path() + ": " + others);
+}
+
+void prepare(ServoGroup& servos) {
+  // In RAM, so before anything that waits for what it lets through; nobody confirms it at level 0.
+  servos.write(&ServoModel::status_return_level, kReturnAllStatuses);
+  switch_off(servos);
+  for (std::size_t i = 0; i < servos.size(); ++i) {
+    settle(servos, i, &ServoModel::return_delay, 0);
+    settle(servos, i, &ServoModel::operating_mode, kPositionControlMode);
+  }
+  check_drive_mode(servos);
+}
+
+std::vector<ServoLimits> read_limits(ServoGroup& servos) {
+  const Counts min = servos.read(&ServoModel::min_position_limit);
+  const Counts max = servos.read(&ServoModel::max_position_limit);
+  const Counts temperature = servos.read(&ServoModel::temperature_limit);
+  std::vector<ServoLimits> limits;
+  for (std::size_t i = 0; i < servos.size(); ++i) {
+    const Servo& servo = servos.servos()[i];
+    const JointRange reached = reach(servo.calibration);
+    const auto [low, high] =
+        std::minmax(goal_ticks(servo, reached.min_rad), goal_ticks(servo, reached.max_rad));
+    if (high < min[i] || low > max[i]) {
+      throw DeviceError(servos.bus().path() + ": " + servos.name_of(i) + " takes goals from " +
+                        std::to_string(min[i]) + " to " + std::to_string(max[i]) +
+                        ", its calibration means " + std::to_string(low) + " to " +
+                        std::to_string(high));
+    }
+    limits.push_back({std::max(low, min[i]), std::min(high, max[i]),
+                      static_cast<double>(temperature[i]) * servo.model.temperature_limit.unit});
+  }
+  return limits;
+}
+
+}  // namespace scarab::bridge::dynamixel
