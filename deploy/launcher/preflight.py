@@ -3,7 +3,7 @@
 import shutil
 import subprocess
 from pathlib import Path
-from typing import Dict, Optional
+from typing import Dict, Optional, Sequence, Union
 
 import yaml
 
@@ -25,7 +25,9 @@ def check_configuration(places: Places, stack: Stack) -> None:
 
 def resolved_configuration(places: Places, stack: Stack) -> Dict[str, str]:
     """File name -> text of what each service will run with, defaults and all."""
-    texts = {f"{s.name}.yaml": ask(places, s, "--dump-config") for s in stack.services}
+    texts = {f"{s.name}.yaml": ask(places, s, "--dump-config") for s in stack.services if not s.hardware}
+    # Hardware reads the files of its tick master; what is behind it is the same plant as elsewhere.
+    texts |= {"plant.yaml": resolved_file(places, "plant", s.plant) for s in stack.services if s.plant}
     return {name: text for name, text in texts.items() if text.strip()}
 
 
@@ -43,12 +45,12 @@ def write_configuration(directory: RunDirectory, stack: Stack, texts: Dict[str, 
 
 
 def _calibration(stack: Stack, texts: Dict[str, str]) -> Optional[Path]:
-    """Of the robot that the stack drives; its place is relative to the file that names it."""
+    """Of the robot that the stack drives, as its bridge resolves the path."""
     master = stack.tick_master()
-    if master is None or not master.device or master.config is None:
+    if master is None or not master.device:
         return None
     named = (yaml.safe_load(texts.get(f"{master.name}.yaml", "")) or {}).get("calibration")
-    return master.config.parent / named if named else None
+    return Path(named) if named else None
 
 
 def ask(places: Places, service: Service, question: str) -> str:
@@ -56,19 +58,26 @@ def ask(places: Places, service: Service, question: str) -> str:
 
     UsageError with its one line where it refuses them, Failure where it does not answer.
     """
-    command = [str(places.program(service.binary)),
-               *configuration_arguments(ServiceProcess(service, 0)), question]
+    return _answer(f"{service.binary} {question}",
+                   [places.program(service.binary), *configuration_arguments(ServiceProcess(service, 0)), question])
+
+
+def resolved_file(places: Places, kind: str, file: Path) -> str:
+    """A file with all that it extends and every default, by scarab-config. Fails as ask() does."""
+    return _answer("scarab-config dump", [places.program("scarab-config"), "dump", "--kind", kind, file])
+
+
+def _answer(name: str, command: Sequence[Union[str, Path]]) -> str:
     try:
         done = subprocess.run(command, capture_output=True, text=True, timeout=_PATIENCE_S,
                               stdin=subprocess.DEVNULL, env=clean_environment(),
                               start_new_session=True, check=False)
     except subprocess.TimeoutExpired:
-        raise Failure(f"{service.binary} {question} did not answer "
-                      f"within {_PATIENCE_S:.0f} s") from None
+        raise Failure(f"{name} did not answer within {_PATIENCE_S:.0f} s") from None
     except OSError as error:
-        raise Failure(f"{service.binary} cannot be executed: {error.strerror}") from None
+        raise Failure(f"{name} cannot be executed: {error.strerror}") from None
     if done.returncode == 0:
         return done.stdout
     lines = done.stderr.strip().splitlines()
-    reason = lines[-1] if lines else f"{service.binary} {question} ended with {done.returncode}"
+    reason = lines[-1] if lines else f"{name} ended with {done.returncode}"
     raise (UsageError if done.returncode == 2 else Failure)(reason)

@@ -1,21 +1,18 @@
 """What the robot, the plant and the controllers of an experiment are: resolved files, and a digest of them."""
 
 import hashlib
-import subprocess
 from dataclasses import dataclass, replace
 from pathlib import Path
 from typing import Dict, List
 
-from ..failure import Failure, UsageError
+from ..failure import UsageError
 from ..places import Places
-from ..preflight import check_configuration, resolved_configuration
-from ..spawn import clean_environment
+from ..preflight import check_configuration, resolved_configuration, resolved_file
 from ..stack import Stack
 
 SIMULATED = ("plant", "premotor", "supervisor")
 _ROBOT = "robot.yaml"
 _DIGITS = 8
-_PATIENCE_S = 30.0
 
 
 @dataclass(frozen=True)
@@ -57,7 +54,7 @@ def resolve_configuration(places: Places, stack: Stack) -> Configuration:
     robots = {str(service.robot): service.robot for service in cores.services if service.robot}
     if len(robots) != 1:
         raise UsageError(f"{stack.file}: an experiment needs one robot file, the same for plant and premotor")
-    texts[_ROBOT] = _dump(places, *robots.values())
+    texts[_ROBOT] = resolved_file(places, "robot", *robots.values())
     return Configuration(stack.robot, texts)
 
 
@@ -79,19 +76,6 @@ def simulation_arguments(directory: Path) -> List[str]:
     for name in SIMULATED:
         arguments += [f"--{name}", str(directory / f"{name}.yaml")]
     return arguments
-
-
-def _dump(places: Places, robot: Path) -> str:
-    command = [str(places.program("scarab-config")), "dump", "--kind", "robot", str(robot)]
-    try:
-        done = subprocess.run(command, capture_output=True, text=True, timeout=_PATIENCE_S, check=False,
-                              stdin=subprocess.DEVNULL, env=clean_environment())
-    except subprocess.TimeoutExpired:
-        raise Failure(f"scarab-config dump did not answer within {_PATIENCE_S:.0f} s") from None
-    if done.returncode == 0:
-        return done.stdout
-    lines = done.stderr.strip().splitlines() or [f"scarab-config dump {robot} ended with {done.returncode}"]
-    raise UsageError(lines[-1])
 
 
 def _text(file: Path) -> str:

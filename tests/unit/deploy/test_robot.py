@@ -55,7 +55,8 @@ class RobotCase(FakeStackTest):
 
     def configure(self, port):
         self.order("scarab-robot-bridge", "configuration",
-                   f"driver: amosii\namosii: {{port: {port}}}\ncalibration: calibration.yaml\n")
+                   f"driver: amosii\namosii: {{port: {port}}}\n"
+                   f"calibration: {self.folder}/calibration.yaml\n")
 
     def refused(self, verb, *words):
         """The one line of it; nothing was started."""
@@ -105,7 +106,7 @@ class Emulated(RobotCase):
         record = yaml.safe_load((config / "run.yaml").read_text())
         self.assertEqual((record["driver"], record["emulated"], record["pace"]), ("amosii", True, "realtime"))
         self.assertEqual(set(record["services"]["emulator"]), {"instances", "robot", "config", "plant"})
-        for name in ("robot_bridge.yaml", "emulator.yaml", "robot-robot.yaml"):
+        for name in ("robot_bridge.yaml", "plant.yaml", "robot-robot.yaml"):
             self.assertTrue((config / name).is_file(), name)
         self.assertEqual((config / "calibration-calibration.yaml").read_text(), "name: calibration\n")
 
