@@ -3,6 +3,7 @@
 from dataclasses import replace
 from typing import Dict, Iterable, List, Sequence
 
+from .completion_emulator import EmulatorValues
 from .completion_logs import LogValues
 from .completion_topics import TopicValues
 from .completion_values import Candidate, Source, Values, said
@@ -38,7 +39,10 @@ class Completion:
         command, before = words[begin - 1] if begin else "", words[begin:]
         syntax = replace(syntax, operands=[_of_kind(o, verb, command) for o in syntax.operands])
         operands = [before[index] for index in syntax.operands_among(before)]
-        return _within(syntax, before, typed, Values(self._places, words, self._sources(verb, words, operands)))
+        sources = self._sources(verb, words, operands)
+        if verb == "emulator":
+            sources = EmulatorValues(syntax.faults, operands).sources()
+        return _within(syntax, before, typed, Values(self._places, words, sources))
 
     def _sources(self, verb: str, words: List[str], operands: List[str]) -> Dict[str, Source]:
         first = operands[0] if operands else ""

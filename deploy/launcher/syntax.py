@@ -31,6 +31,7 @@ class Syntax:
     operands: List[Argument] = field(default_factory=list)
     commands: Dict[str, str] = field(default_factory=dict)  # subcommands, and what they do
     short: Dict[str, Argument] = field(default_factory=dict)  # options by their short names, such as -n
+    faults: Dict[str, str] = field(default_factory=dict)  # words of scarab-emulator, and what they do
 
     def option(self, word: str) -> Optional[Argument]:
         return self.options.get(word) or self.short.get(word)
@@ -77,6 +78,8 @@ def syntax_of_help(text: str) -> Syntax:
         names, _, value = re.sub(r", ", ",", words).partition(" ")
         if section == "Subcommands":
             syntax.commands[names.split(",")[0]] = note
+        elif section == "Faults" and note:
+            syntax.faults[words.split()[0]] = note
         elif section == "Positionals":
             syntax.operands.append(_from_help(names, value, note))
         elif section == "Options":

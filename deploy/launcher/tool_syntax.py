@@ -20,7 +20,7 @@ def tool_syntax(program: Path, words: Sequence[str]) -> Tuple[Syntax, int]:
         return syntax, 0
     of_command = _of([str(program), words[at]])
     return Syntax({**syntax.options, **of_command.options}, of_command.operands,
-                  short={**syntax.short, **of_command.short}), at + 1
+                  short={**syntax.short, **of_command.short}, faults=of_command.faults), at + 1
 
 
 def _of(command: List[str]) -> Syntax:

@@ -66,6 +66,31 @@ Options:
   --type TEXT                 of a topic that has no writer
 """
 
+EMULATOR_HELP = """A robot to try the bridge on.
+Usage: scarab-emulator [OPTIONS] [SUBCOMMAND]
+
+Options:
+  --device TEXT               link to the serial device
+
+Subcommands:
+  tell                        tells a running emulator to misbehave
+"""
+TELL_HELP = """tells a running emulator to misbehave
+Usage: scarab-emulator tell [OPTIONS] where words...
+
+Positionals:
+  where TEXT REQUIRED         its run directory, or its control pipe
+  words TEXT ... REQUIRED     the fault, such as: stuck TR0 for 2
+
+Faults:
+  stuck JOINT              the joint's servo does not move
+  silent JOINT|imu|board   no answers
+  clear                    none of these any more
+  each may end with `at S` (since the world's t = 0) and `for S`
+Examples:
+  scarab-emulator tell runs/20261122-1 clear
+"""
+
 
 class Shell:
     """An interactive one with the completion loaded, in a terminal of its own."""
@@ -149,6 +174,9 @@ class Room(unittest.TestCase):
             export*/trial.mcap*/trial-2.mcap.active\ --topic\ scarab/behaviour*)
               echo 'header.tick,mode'; echo 1,2; exec sleep 9 ;;
             *) exit 2 ;; esac""")
+        self.program("scarab-emulator", f"""case "$*" in
+            tell*) cat <<'X'\n{TELL_HELP}\nX\n;;
+            *) cat <<'X'\n{EMULATOR_HELP}\nX\n;; esac""")
         # The supervisor alone knows its strategies; this one says what is in its file.
         self.program("scarab-supervisor", 'while [ "$1" != --config ]; do shift; done; cat "$2"')
         (self.room / "deploy").symlink_to(SOURCE_ROOT / "deploy")

@@ -47,6 +47,14 @@ COMPLETED = (
      "deploy/scarab log cat latest --topic scarab/behaviour -n 3 --field mode"),
     ("deploy/scarab experiment transp", "deploy/scarab experiment transport_speed"),
     ("deploy/scarab experiment merge pl", "deploy/scarab experiment merge plants/"),
+    ("deploy/scarab run --profile rob", "deploy/scarab run --profile robot"),
+    ("deploy/scarab run --profile robot --emu", "deploy/scarab run --profile robot --emulated"),
+    ("deploy/scarab up --profile robot --driver dyn", "deploy/scarab up --profile robot --driver dynamixel"),
+    ("deploy/scarab up --profile robot --emulated --config emu", "deploy/scarab up --profile robot --emulated --config emulator="),
+    ("deploy/scarab up --device /dev/nul", "deploy/scarab up --device /dev/null"),
+    ("deploy/scarab emulator te", "deploy/scarab emulator tell"),
+    ("deploy/scarab emulator tell lat", "deploy/scarab emulator tell latest"),
+    ("deploy/scarab emulator tell latest sil", "deploy/scarab emulator tell latest silent"),
     ("deploy/scarab completion z", "deploy/scarab completion zsh"),
     ("WHO=me deploy/scarab dow", "WHO=me deploy/scarab down"))
 
@@ -109,6 +117,17 @@ class Candidates(Room):
     def test_robots_are_those_described(self):
         described = sorted(f.stem for f in (SOURCE_ROOT / "config" / "robot").glob("*.yaml"))
         self.assertEqual(self.texts("run", "--robot", ""), described)
+
+    def test_drivers_are_those_with_a_file_for_the_robot(self):
+        described = sorted(f.stem.removeprefix("beetle-")
+                           for f in (SOURCE_ROOT / "config" / "robot_bridge").glob("beetle-*.yaml"))
+        self.assertIn("dynamixel", described)
+        self.assertEqual(self.texts("run", "--driver", ""), described)
+        self.assertEqual(self.texts("run", "--robot", "none", "--driver", ""), [])
+
+    def test_faults_are_those_of_the_emulators_help(self):
+        self.assertEqual(self.texts("emulator", "tell", "latest", ""), ["clear", "silent", "stuck"])
+        self.assertEqual(self.texts("emulator", "tell", "latest", "stuck", ""), [])
 
     def test_help_of_a_tool_is_read(self):
         syntax = syntax_of_help(TOOL_HELP)
