@@ -1,0 +1,25 @@
+#include "tools/emulator/journal.hpp"
+
+#include <stdexcept>
+
+#include "common/bus/clock.hpp"
+
+namespace scarab::emulator {
+
+Journal::Journal(const std::filesystem::path& path) {
+  if (path.empty()) return;
+  file_.open(path, std::ios::trunc);
+  if (!file_) throw std::runtime_error("cannot write " + path.string());
+  file_ << "stamp_ns,event,detail\n";
+  file_.flush();
+}
+
+void Journal::note(std::string_view event, const std::string& detail) {
+  if (file_.is_open()) file_ << bus::now_ns() << ',' << event << ',' << detail << '\n';
+}
+
+void Journal::flush() {
+  if (file_.is_open()) file_.flush();
+}
+
+}  // namespace scarab::emulator
