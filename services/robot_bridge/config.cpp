@@ -29,6 +29,10 @@ void for_each_section(Sections& sections, const Visit& visit) {
 
 }  // namespace
 
+unsigned samples_per_tick(const TimingConfig& timing) {
+  return static_cast<unsigned>(std::lround(timing.control_period_s / timing.sensor_period_s));
+}
+
 /// Found by argument-dependent lookup, like every enum_names().
 std::array<std::pair<std::string_view, DriverName>, kDriverNames.size()> enum_names(DriverName) {
   std::array<std::pair<std::string_view, DriverName>, kDriverNames.size()> names;

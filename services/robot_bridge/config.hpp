@@ -27,6 +27,8 @@ struct TimingConfig {
   double sensor_period_s = 0.02;
 };
 
+[[nodiscard]] unsigned samples_per_tick(const TimingConfig& timing);
+
 /// config/robot_bridge/*.yaml.
 struct BridgeConfig {
   DriverName driver{};
