@@ -39,6 +39,7 @@ OperatorDesk::Requests OperatorDesk::update() {
         break;
       case scarab_OPERATOR_EMERGENCY_STOP:
         requests.emergency_stop = "operator emergency stop: " + reason;
+        requests.reset = false;  // said before it
         break;
       case scarab_OPERATOR_RESET:
         requests.reset = true;

@@ -41,6 +41,7 @@ class StatusPublisher {
   /// How long publish_if_due() may wait to be called again.
   [[nodiscard]] std::chrono::nanoseconds time_left() const;
   [[nodiscard]] scarab_Health health() const { return status_.health; }
+  [[nodiscard]] const std::string& message() const { return message_; }
   [[nodiscard]] scarab_Lifecycle lifecycle() const { return status_.lifecycle; }
 
  private:

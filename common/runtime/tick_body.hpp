@@ -25,7 +25,8 @@ struct TrialEnd {
 /// for. The tick master has one thread, and calls all of this from it.
 ///
 /// What observe(), advance() or idle() throws is a fault like one that fault() tells, until
-/// observe() succeeds again; in lockstep, where nobody stands by, it ends the trial.
+/// observe() or idle() succeeds again; in lockstep, where nobody stands by, it ends the trial
+/// without a verdict.
 class TickBody {
  public:
   virtual ~TickBody() = default;

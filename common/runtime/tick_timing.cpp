@@ -25,6 +25,7 @@ void TickTiming::report(const TickPacer& pacer, StatusPublisher& status) {
   }
   status.set_counter("clock_jumps", clock_jumps_);
   if (!real_time_) return;
+  status.set_histogram("tick_cycle", pacer.cycle());
   status.set_histogram("tick_jitter", pacer.jitter());
   status.set_histogram("tick_overrun", pacer.overrun());
   status.set_counter("commands_late", late_commands_);

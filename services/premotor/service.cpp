@@ -6,6 +6,7 @@
 #include "common/bus/reader.hpp"
 #include "common/bus/writer.hpp"
 #include "common/runtime/chain_responder.hpp"
+#include "common/runtime/tick_masters.hpp"
 #include "services/premotor/adapter.hpp"
 
 namespace scarab::premotor {
@@ -73,7 +74,7 @@ class PremotorLink {
   void report(runtime::StatusPublisher&) const {}
 
   void add_needs(runtime::PeerCheck& peers) {
-    peers.need(commands_, "plant");
+    runtime::need_tick_master(peers, commands_);
     peers.need(commands_, "logger");
     peers.need(activities_, "logger");
   }

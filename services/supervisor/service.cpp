@@ -1,8 +1,11 @@
 #include "services/supervisor/service.hpp"
 
+#include <string>
+
 #include "common/bus/clock.hpp"
 #include "common/bus/writer.hpp"
 #include "common/runtime/chain_responder.hpp"
+#include "common/runtime/tick_masters.hpp"
 #include "services/supervisor/adapter.hpp"
 #include "services/supervisor/core/machine_state.hpp"
 #include "services/supervisor/operator_line.hpp"
@@ -22,7 +25,7 @@ class SupervisorLink {
  public:
   using Question = scarab_RobotState;
   using State = KeptState;
-  static constexpr std::uint32_t kStateLayout = 2;
+  static constexpr std::uint32_t kStateLayout = 3;
 
   SupervisorLink(bus::Participant& participant, const SupervisorConfig& config)
       : config_(config), operator_(participant), behaviours_(participant, bus::kBehaviour) {}
@@ -31,6 +34,7 @@ class SupervisorLink {
     machine_.emplace(config_, find_strategy(config_, trial.strategy));
     state = {machine_->initial_state(), Decision{}};
     operator_.begin(trial.header.trial);
+    complaint_.clear();
   }
 
   void advance(KeptState& state, const scarab_RobotState& question) {
@@ -46,10 +50,16 @@ class SupervisorLink {
     fill(behaviour, state.decision);
     behaviours_.write(behaviour);
     operator_.acknowledge(state.machine, state.operator_stamp_ns);
+    complaint_ = machine_->complaint(state.machine);
     if (ends(question)) operator_.end();
   }
 
-  void report(runtime::StatusPublisher& status) { operator_.report(status); }
+  void report(runtime::StatusPublisher& status) {
+    operator_.report(status);
+    if (!complaint_.empty() && status.health() == scarab_HEALTH_OK) {
+      status.set_health(scarab_HEALTH_DEGRADED, complaint_);
+    }
+  }
 
   bool ends(const scarab_RobotState& question) const {
     return question.phase == scarab_PHASE_SUCCEEDED || question.phase == scarab_PHASE_FAILED;
@@ -62,7 +72,7 @@ class SupervisorLink {
 
   void add_needs(runtime::PeerCheck& peers) {
     peers.need(behaviours_, "premotor");
-    peers.need(behaviours_, "plant");
+    runtime::need_tick_master(peers, behaviours_);
     peers.need(behaviours_, "logger");
   }
 
@@ -70,6 +80,7 @@ class SupervisorLink {
   SupervisorConfig config_;
   std::optional<BehaviourMachine> machine_;
   OperatorLine operator_;
+  std::string complaint_;  // what keeps the strategy from its end; empty: nothing
   bus::Writer<scarab_Behaviour> behaviours_;
 };
 
@@ -83,7 +94,7 @@ void serve(const runtime::ServiceOptions& options, const SupervisorConfig& confi
   runtime::ChainResponder<SupervisorLink> responder(participant, options, self, bus::kRobotState,
                                                     link, peers);
   link.add_needs(peers);
-  peers.need(responder.questions(), "plant");
+  runtime::need_tick_master(peers, responder.questions());
   responder.run();
 }
 

@@ -4,17 +4,18 @@
 #include <set>
 
 #include "common/bus/error.hpp"
+#include "common/runtime/tick_masters.hpp"
 #include "tools/log/replay/domain_check.hpp"
 
 namespace scarab::log {
 namespace {
 
+constexpr const char* kUsualTickMaster = "plant";
+
 /// The part that waits for the answers: the tick master's, who waits for them in a stack.
 bus::Peer leading_part(const std::set<bus::Peer>& parts) {
-  for (const char* name : {"plant", "robot_bridge"}) {
-    if (parts.count({name, 0}) != 0) return {name, 0};
-  }
-  return {"plant", 0};
+  const auto leader = std::find_if(parts.begin(), parts.end(), runtime::is_tick_master);
+  return leader == parts.end() ? bus::Peer{kUsualTickMaster, 0} : *leader;
 }
 
 std::set<bus::Peer> parts_to_play(const Log& log, const ServiceUnderTest& service,
@@ -24,8 +25,11 @@ std::set<bus::Peer> parts_to_play(const Log& log, const ServiceUnderTest& servic
     for (std::uint32_t instance = 0; instance < count; ++instance) parts.insert({name, instance});
   }
   if (expect.empty()) {
-    parts = {{"plant", 0}, {"supervisor", 0}, {"premotor", 0}, {"logger", 0}};
+    parts = {{"supervisor", 0}, {"premotor", 0}, {"logger", 0}};
     for (const std::string& topic : log.topics()) parts.insert(writer_of(*log.find(topic)));
+    if (std::none_of(parts.begin(), parts.end(), runtime::is_tick_master)) {
+      parts.insert({kUsualTickMaster, 0});
+    }
   }
   parts.erase(service.peer);
   return parts;

@@ -7,6 +7,7 @@
 
 #include "common/bus/discovery.hpp"
 #include "common/bus/waitset.hpp"
+#include "common/runtime/tick_masters.hpp"
 
 namespace scarab::log {
 namespace {
@@ -25,10 +26,6 @@ std::vector<bus::DiscoveredEndpoint> look_around(bus::Participant& participant) 
   return discovery.endpoints();
 }
 
-bool is_tick_master(const bus::Peer& peer) {
-  return peer.service == "plant" || peer.service == "robot_bridge";
-}
-
 }  // namespace
 
 void refuse_company(bus::Participant& participant, const std::set<std::string>& topics) {
@@ -39,7 +36,7 @@ void refuse_company(bus::Participant& participant, const std::set<std::string>& 
     std::string company;
     if (other.kind == bus::EndpointKind::kWriter) {
       company = " is being written by ";
-    } else if (is_command && is_tick_master(other.peer)) {
+    } else if (is_command && runtime::is_tick_master(other.peer)) {
       company = " would be obeyed by ";
     } else {
       continue;
