@@ -7,7 +7,7 @@
 namespace scarab::config {
 namespace {
 
-constexpr std::array<std::pair<std::string_view, std::string_view>, 20> kUnits = {{
+constexpr std::array<std::pair<std::string_view, std::string_view>, 22> kUnits = {{
     {"_m", "m"},
     {"_m_s", "m/s"},
     {"_m_s2", "m/s^2"},
@@ -22,6 +22,8 @@ constexpr std::array<std::pair<std::string_view, std::string_view>, 20> kUnits =
     {"_n_s_m", "N s/m"},
     {"_nm_rad", "N m/rad"},
     {"_nm_s_rad", "N m s/rad"},
+    {"_a", "A"},
+    {"_nm_a", "N m/A"},
     {"_s", "s"},
     {"_ns", "ns"},
     {"_hz", "Hz"},
@@ -31,7 +33,7 @@ constexpr std::array<std::pair<std::string_view, std::string_view>, 20> kUnits =
 }};
 
 /// Words that are part of a unit wherever they stand: `walk_rad_s_s` is not in seconds.
-constexpr std::array<std::string_view, 10> kParts = {"m",  "s",  "rad",  "kg",  "n",
+constexpr std::array<std::string_view, 11> kParts = {"m",  "s",  "rad",  "kg",  "n", "a",
                                                      "nm", "hz", "sqrt", "per", "s2"};
 
 bool ends_with(std::string_view text, std::string_view end) {

@@ -40,6 +40,8 @@ constexpr UnitKeys unit_keys(Quantity quantity) {
       return {"noise_n", "bias_n", "quantum_n"};
     case Quantity::kAcceleration:
       return {"noise_m_s2", "bias_m_s2", "quantum_m_s2"};
+    case Quantity::kCurrent:
+      return {"noise_a", "bias_a", "quantum_a"};
   }
   throw std::invalid_argument("no such quantity");
 }
@@ -117,6 +119,12 @@ void visit_fields(Fields& f, StartConfig& c) {
   f("settle_s", c.settle_s, config::Range{0, 60});
 }
 
+template <class Fields>
+void visit_fields(Fields& f, SupplyConfig& c) {
+  f("idle_a", c.idle_a, config::kNonNegative);
+  f("torque_constant_nm_a", c.torque_constant_nm_a, config::kPositive);
+}
+
 template <class Fields, Quantity kQuantity>
 void visit_fields(Fields& f, SensorConfig<kQuantity>& c) {
   constexpr UnitKeys keys = unit_keys(kQuantity);
@@ -136,6 +144,7 @@ void visit_fields(Fields& f, SensorsConfig& c) {
   f("inclination", c.inclination);
   f("angular_velocity", c.angular_velocity);
   f("acceleration", c.acceleration);
+  f("supply_current", c.supply_current);
 }
 
 template <class Fields>
@@ -162,6 +171,7 @@ void visit_fields(Fields& f, PlantConfig& c) {
   f("object", c.object);
   f("obstacle", c.obstacle);
   f("start", c.start);
+  f("supply", c.supply);
   f("sensors", c.sensors);
   f("commands", c.commands);
   f("referee", c.referee);
@@ -179,6 +189,7 @@ void validate(const PlantConfig& c, const config::Check& check) {
   whole(c.sensors.inclination.latency_s, "sensors.inclination.latency_s");
   whole(c.sensors.angular_velocity.latency_s, "sensors.angular_velocity.latency_s");
   whole(c.sensors.acceleration.latency_s, "sensors.acceleration.latency_s");
+  whole(c.sensors.supply_current.latency_s, "sensors.supply_current.latency_s");
   whole(c.commands.latency_s, "commands.latency_s");
   whole(c.commands.jitter_s, "commands.jitter_s");
 }

@@ -15,6 +15,7 @@ struct Observation {
   double roll_rad = 0;                             ///< of the rear trunk, + = left side up
   double pitch_rad = 0;                            ///< of the rear trunk, + = rear up
   std::array<double, 3> angular_velocity_rad_s{};  ///< of the rear trunk, in its own frame
+  double supply_current_a = 0;                     ///< of all servos and electronics
   std::array<double, 3> acceleration_m_s2{};  ///< specific force, in its own frame; at rest (0,0,g)
 };
 

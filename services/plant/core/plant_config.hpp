@@ -72,6 +72,12 @@ struct StartConfig {
   double settle_s = 0;  ///< simulated before t = 0 with the stance as target
 };
 
+/// What the robot draws from its supply (supply_current.hpp).
+struct SupplyConfig {
+  double idle_a = 0;                ///< with no torque anywhere
+  double torque_constant_nm_a = 1;  ///< of each servo, at its joint
+};
+
 /// Limits by which the referee judges a trial.
 struct RefereeConfig {
   double across_margin_m = 0;      ///< the object's axis this far past the obstacle is across
@@ -89,6 +95,7 @@ struct PlantConfig {
   ObjectConfig object;
   ObstacleConfig obstacle;
   StartConfig start;
+  SupplyConfig supply;
   SensorsConfig sensors;
   CommandPathConfig commands;
   RefereeConfig referee;

@@ -13,7 +13,7 @@ struct SensorErrors {
 };
 
 /// What a sensor measures: the unit in the names of its keys.
-enum class Quantity { kAngle, kAngularVelocity, kTorque, kForce, kAcceleration };
+enum class Quantity { kAngle, kAngularVelocity, kTorque, kForce, kAcceleration, kCurrent };
 
 template <Quantity kQuantity>
 struct SensorConfig : SensorErrors {};
@@ -26,6 +26,7 @@ struct SensorsConfig {
   SensorConfig<Quantity::kAngle> inclination;                 ///< of the IMU, roll and pitch
   SensorConfig<Quantity::kAngularVelocity> angular_velocity;  ///< of the IMU, three axes
   SensorConfig<Quantity::kAcceleration> acceleration;         ///< of the IMU, three axes
+  SensorConfig<Quantity::kCurrent> supply_current;            ///< one, of the whole robot
 };
 
 /// The way of a command to the servos (command_delay.hpp); whole numbers of steps.

@@ -23,10 +23,11 @@ SensorReadings::SensorReadings(const SensorsConfig& config, const JointPresence&
       inclination_(config.inclination, "inclination", seed, step_ns),
       angular_velocity_(config.angular_velocity, "angular_velocity", seed, step_ns),
       acceleration_(config.acceleration, "acceleration", seed, step_ns),
+      supply_current_(config.supply_current, "supply_current", seed, step_ns),
       latency_most_(std::max({joint_position_.latency_steps, joint_velocity_.latency_steps,
                               joint_torque_.latency_steps, foot_force_.latency_steps,
                               inclination_.latency_steps, angular_velocity_.latency_steps,
-                              acceleration_.latency_steps})),
+                              acceleration_.latency_steps, supply_current_.latency_steps})),
       history_(latency_most_) {}
 
 template <std::size_t N>
@@ -67,6 +68,10 @@ void SensorReadings::sample(std::uint64_t n) {
     const Observation& truth = history_.at(inclination_.latency_steps);
     newest_.roll_rad = inclination_.model.reading(truth.roll_rad, 0, n);
     newest_.pitch_rad = inclination_.model.reading(truth.pitch_rad, 1, n);
+  }
+  if (!supply_current_.model.lost(0, n)) {
+    const Observation& truth = history_.at(supply_current_.latency_steps);
+    newest_.supply_current_a = supply_current_.model.reading(truth.supply_current_a, 0, n);
   }
   for (double& force : newest_.foot_force_n) force = std::max(0.0, force);  // a pad cannot pull
   for (std::size_t j = 0; j < robot::kJointCount; ++j) {

@@ -70,6 +70,7 @@ class SensorReadings {
   Sensor inclination_;
   Sensor angular_velocity_;
   Sensor acceleration_;
+  Sensor supply_current_;
   std::size_t latency_most_;
   TruthHistory history_;
   Observation newest_;

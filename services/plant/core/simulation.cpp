@@ -10,6 +10,7 @@
 #include "services/plant/core/sensor_readings.hpp"
 #include "services/plant/core/sensors.hpp"
 #include "services/plant/core/stepper.hpp"
+#include "services/plant/core/supply_current.hpp"
 #include "services/plant/core/timing.hpp"
 
 namespace scarab::plant {
@@ -110,7 +111,9 @@ class Simulation::Impl {
 
  private:
   [[nodiscard]] Observation measured() const {
-    return measure(morphology_, state_, stepper_, config_.gravity_m_s2);
+    Observation out = measure(morphology_, state_, stepper_, config_.gravity_m_s2);
+    out.supply_current_a = supply_current_a(config_.supply, out.torque_nm);
+    return out;
   }
 
   /// The stance is reached on the ground before the trial's time begins.

@@ -68,7 +68,7 @@ TEST(PlantConfig, ShippedSensorsAndCommandsAreIdeal) {
        {SensorErrors(config.sensors.joint_position), SensorErrors(config.sensors.joint_velocity),
         SensorErrors(config.sensors.joint_torque), SensorErrors(config.sensors.foot_force),
         SensorErrors(config.sensors.inclination), SensorErrors(config.sensors.angular_velocity),
-        SensorErrors(config.sensors.acceleration)}) {
+        SensorErrors(config.sensors.acceleration), SensorErrors(config.sensors.supply_current)}) {
     EXPECT_EQ(errors.noise + errors.bias + errors.quantum + errors.latency_s + errors.dropout, 0);
   }
   EXPECT_EQ(config.commands.latency_s + config.commands.jitter_s, 0);

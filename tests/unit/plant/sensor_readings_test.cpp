@@ -14,6 +14,7 @@ namespace {
 
 constexpr std::int64_t kStepNs = 2'000'000;
 constexpr std::uint64_t kStepsPerSample = 10;
+constexpr std::size_t kSensors = 8;
 
 JointPresence all_present() {
   JointPresence present{};
@@ -31,6 +32,7 @@ Observation constant(double value) {
   out.roll_rad = out.pitch_rad = value;
   out.angular_velocity_rad_s.fill(value);
   out.acceleration_m_s2.fill(value);
+  out.supply_current_a = value;
   return out;
 }
 
@@ -45,14 +47,15 @@ std::vector<std::vector<double>> by_sensor(const Observation& seen) {
           list(seen.foot_force_n),
           {seen.roll_rad, seen.pitch_rad},
           list(seen.angular_velocity_rad_s),
-          list(seen.acceleration_m_s2)};
+          list(seen.acceleration_m_s2),
+          {seen.supply_current_a}};
 }
 
 /// The errors of each sensor, in the order of by_sensor().
 std::vector<SensorErrors*> errors_of(SensorsConfig& config) {
   return {&config.joint_position, &config.joint_velocity, &config.joint_torque,
           &config.foot_force,     &config.inclination,    &config.angular_velocity,
-          &config.acceleration};
+          &config.acceleration,   &config.supply_current};
 }
 
 /// Readings of samples 0.. while the truth after step s is `s` everywhere.
@@ -81,12 +84,12 @@ TEST(SensorReadings, IdealSensorsReadTheTruth) {
 }
 
 TEST(SensorReadings, EverySensorHasItsOwnErrors) {
-  for (std::size_t disturbed = 0; disturbed < 7; ++disturbed) {
+  for (std::size_t disturbed = 0; disturbed < kSensors; ++disturbed) {
     SensorsConfig config;
     errors_of(config)[disturbed]->bias = 1;
     const auto seen = by_sensor(of_a_ramp(config, 3)[2]);
     const auto truth = by_sensor(constant(2.0 * kStepsPerSample));
-    for (std::size_t sensor = 0; sensor < 7; ++sensor) {
+    for (std::size_t sensor = 0; sensor < kSensors; ++sensor) {
       for (std::size_t i = 0; i < seen[sensor].size(); ++i) {
         EXPECT_EQ(seen[sensor][i] == truth[sensor][i], sensor != disturbed)
             << "sensor " << sensor << " with sensor " << disturbed << " disturbed";
@@ -96,7 +99,7 @@ TEST(SensorReadings, EverySensorHasItsOwnErrors) {
 }
 
 TEST(SensorReadings, LatencyShiftsByExactlyItsSteps) {
-  for (std::size_t delayed = 0; delayed < 7; ++delayed) {
+  for (std::size_t delayed = 0; delayed < kSensors; ++delayed) {
     for (const std::size_t steps : {1U, 7U, 10U, 25U}) {
       SensorsConfig config;
       errors_of(config)[delayed]->latency_s = 0.002 * static_cast<double>(steps);
@@ -105,7 +108,7 @@ TEST(SensorReadings, LatencyShiftsByExactlyItsSteps) {
         const double now = static_cast<double>(n * kStepsPerSample);
         const double then = std::max(0.0, now - static_cast<double>(steps));
         const auto values = by_sensor(seen[n]);
-        for (std::size_t sensor = 0; sensor < 7; ++sensor) {
+        for (std::size_t sensor = 0; sensor < kSensors; ++sensor) {
           for (const double value : values[sensor]) {
             EXPECT_EQ(value, sensor == delayed ? then : now);
           }

@@ -7,6 +7,7 @@
 #include "services/plant/core/scene.hpp"
 #include "services/plant/core/sensor_readings.hpp"
 #include "services/plant/core/simulation.hpp"
+#include "services/plant/core/supply_current.hpp"
 #include "tests/unit/plant/rig.hpp"
 
 namespace scarab::plant {
@@ -47,6 +48,22 @@ TEST(Sensors, HeadingIsNoInclination) {
   const Observation seen = tilted(Vector3d::UnitZ(), 1.0);
   EXPECT_NEAR(seen.roll_rad, 0, 1e-12);
   EXPECT_NEAR(seen.pitch_rad, 0, 1e-12);
+}
+
+TEST(Sensors, TheSupplyCurrentIsWhatTheTorquesNeed) {
+  const SupplyConfig supply{1.5, 2.0};
+  robot::JointVector torque_nm{};
+  EXPECT_EQ(supply_current_a(supply, torque_nm), 1.5);
+  torque_nm[3] = 4;
+  torque_nm[robot::kBackboneSlot] = -1;
+  EXPECT_DOUBLE_EQ(supply_current_a(supply, torque_nm), 1.5 + 2.5) << "either sense draws";
+}
+
+TEST(Sensors, AStandingRobotDrawsMoreThanAnIdleOne) {
+  const PlantConfig config = testing::default_config();
+  const Observation seen = at_rest(config);
+  EXPECT_DOUBLE_EQ(seen.supply_current_a, supply_current_a(config.supply, seen.torque_nm));
+  EXPECT_GT(seen.supply_current_a, config.supply.idle_a + 0.5);
 }
 
 /// A simulation with errors on every sensor.
