@@ -1,6 +1,7 @@
 #include "services/supervisor/adapter.hpp"
 
 #include <algorithm>
+#include <array>
 #include <iterator>
 #include <limits>
 #include <stdexcept>
@@ -27,6 +28,11 @@ static_assert(same(Phase::kRunning, scarab_PHASE_RUNNING) &&
               same(Phase::kHoming, scarab_PHASE_HOMING) &&
               same(Phase::kSucceeded, scarab_PHASE_SUCCEEDED) &&
               same(Phase::kFailed, scarab_PHASE_FAILED));
+
+static_assert(same(Trigger::kNone, scarab_TRIGGER_NONE) &&
+              same(Trigger::kFrontAngle, scarab_TRIGGER_FRONT_ANGLE) &&
+              same(Trigger::kSupplyCurrent, scarab_TRIGGER_SUPPLY_CURRENT) &&
+              same(Trigger::kFootForce, scarab_TRIGGER_FOOT_FORCE));
 
 constexpr std::size_t kPitch = 1;  // index in inclination_rad
 
@@ -71,9 +77,22 @@ scarab_OperatorCommand to_idl(OperatorWord::Command command) {
   throw std::invalid_argument("no such command");
 }
 
-double front_f(const scarab_RobotState& state, robot::Leg leg) {
-  const auto slot = robot::joint_slot(leg, robot::LegJoint::kFemurTibia);
-  return reading(state.position_rad[slot], state.position_source[slot]);
+constexpr std::array<robot::Leg, 2> kFrontLegs = {robot::Leg::kL0, robot::Leg::kR0};
+
+std::size_t f_slot(robot::Leg leg) { return robot::joint_slot(leg, robot::LegJoint::kFemurTibia); }
+
+Measured to_measured(const scarab_RobotState& state) {
+  const auto of_both = [](const auto& source_of) {
+    return std::all_of(kFrontLegs.begin(), kFrontLegs.end(), [&source_of](robot::Leg leg) {
+      return source_of(leg) == scarab_SOURCE_MEASURED;
+    });
+  };
+  Measured measured;
+  measured.front_angle = of_both([&](auto leg) { return state.position_source[f_slot(leg)]; });
+  measured.supply_current = state.supply_current_source == scarab_SOURCE_MEASURED;
+  measured.foot_force =
+      of_both([&](auto leg) { return state.foot_force_source[robot::leg_slot(leg)]; });
+  return measured;
 }
 
 }  // namespace
@@ -83,7 +102,14 @@ Perception to_perception(const scarab_RobotState& state) {
   perception.tick = state.header.tick;
   perception.phase = static_cast<Phase>(state.phase);
   perception.pitch_rad = reading(state.inclination_rad[kPitch], state.imu_source);
-  perception.front_f_rad = {front_f(state, robot::Leg::kL0), front_f(state, robot::Leg::kR0)};
+  for (std::size_t side = 0; side < kFrontLegs.size(); ++side) {
+    const std::size_t joint = f_slot(kFrontLegs[side]), foot = robot::leg_slot(kFrontLegs[side]);
+    perception.front_f_rad[side] = reading(state.position_rad[joint], state.position_source[joint]);
+    perception.front_foot_n[side] =
+        reading(state.foot_force_n[foot], state.foot_force_source[foot]);
+  }
+  perception.supply_current_a = reading(state.supply_current_a, state.supply_current_source);
+  perception.measured = to_measured(state);
   return perception;
 }
 
@@ -121,9 +147,9 @@ void fill(scarab_Behaviour& behaviour, const Decision& decision) {
   behaviour.bs_threshold_rad = decision.bs_threshold_rad;
   behaviour.as_rad = decision.as_rad;
   behaviour.as_threshold_rad = decision.as_threshold_rad;
-  behaviour.trigger = scarab_TRIGGER_FRONT_ANGLE;
-  behaviour.trigger_value = decision.as_rad;
-  behaviour.trigger_threshold = decision.as_threshold_rad;
+  behaviour.trigger = static_cast<scarab_ObstacleTrigger>(decision.trigger);
+  behaviour.trigger_value = decision.trigger_value;
+  behaviour.trigger_threshold = decision.trigger_threshold;
 }
 
 }  // namespace scarab::supervisor

@@ -18,6 +18,13 @@ inline auto enum_names(Mode) {
   return names;
 }
 
+inline auto enum_names(Trigger) {
+  using Name = std::pair<std::string_view, Trigger>;
+  return std::array<Name, 3>{Name{name(Trigger::kFrontAngle), Trigger::kFrontAngle},
+                             Name{name(Trigger::kSupplyCurrent), Trigger::kSupplyCurrent},
+                             Name{name(Trigger::kFootForce), Trigger::kFootForce}};
+}
+
 template <class Fields>
 void visit_fields(Fields& f, InclinationConfig& c) {
   f("smoothing", c.smoothing, config::Range{0, 1, true});
@@ -30,6 +37,22 @@ void visit_fields(Fields& f, FrontAngleConfig& c) {
   f("window_ticks", c.window_ticks, config::Range{1, static_cast<double>(kMaxWindowTicks)});
   f("reference_rad", c.reference_rad);
   f("drop_rad", c.drop_rad, config::kNonNegative);
+  f("confirm_ticks", c.confirm_ticks, kCount);
+  f("arm_ticks", c.arm_ticks, config::Range{0, kTicksMost});
+}
+
+template <class Fields>
+void visit_fields(Fields& f, SupplyCurrentConfig& c) {
+  f("reference_a", c.reference_a, config::kNonNegative);
+  f("rise_a", c.rise_a, config::kNonNegative);
+  f("confirm_ticks", c.confirm_ticks, kCount);
+  f("arm_ticks", c.arm_ticks, config::Range{0, kTicksMost});
+}
+
+template <class Fields>
+void visit_fields(Fields& f, FootForceConfig& c) {
+  f("reference_n", c.reference_n, config::kNonNegative);
+  f("rise_n", c.rise_n, config::kNonNegative);
   f("confirm_ticks", c.confirm_ticks, kCount);
   f("arm_ticks", c.arm_ticks, config::Range{0, kTicksMost});
 }
@@ -49,16 +72,21 @@ template <class Fields>
 void visit_fields(Fields& f, Strategy& c) {
   f("approach", c.approach);
   f("push", c.push);
+  f.optional("obstacle", c.obstacle);
 }
 
 void validate(const Strategy& c, const config::Check& check) {
   check.require(c.push.size() <= 2, "push", "at most mode 1 and mode 2");
+  check.require(c.push.size() < 2 || !c.obstacle.empty(), "obstacle",
+                "two pushing modes need a signal that switches");
 }
 
 template <class Fields>
 void visit_fields(Fields& f, SupervisorConfig& c) {
   f("bs", c.bs);
   f("as", c.as);
+  f("supply_current", c.supply_current);
+  f("foot_force", c.foot_force);
   f("backbone_rad", c.backbone_rad);
   f("stationary_hind_pose_rad", c.stationary_hind_pose_rad);
   f("inputs", c.inputs);

@@ -15,6 +15,18 @@ void require(bool condition, const char* what) {
   }
 }
 
+void check(const SupplyCurrentConfig& current) {
+  require(std::isfinite(current.reference_a), "supply_current.reference_a is not finite");
+  require(std::isfinite(current.rise_a), "supply_current.rise_a is not finite");
+  require(current.confirm_ticks >= 1, "supply_current.confirm_ticks is not at least 1");
+}
+
+void check(const FootForceConfig& force) {
+  require(std::isfinite(force.reference_n), "foot_force.reference_n is not finite");
+  require(std::isfinite(force.rise_n), "foot_force.rise_n is not finite");
+  require(force.confirm_ticks >= 1, "foot_force.confirm_ticks is not at least 1");
+}
+
 void check(const SupervisorConfig& config, const Strategy& strategy) {
   const InclinationConfig& bs = config.bs;
   const FrontAngleConfig& as = config.as;
@@ -26,6 +38,8 @@ void check(const SupervisorConfig& config, const Strategy& strategy) {
   require(std::isfinite(as.reference_rad), "as.reference_rad is not finite");
   require(std::isfinite(as.drop_rad), "as.drop_rad is not finite");
   require(as.confirm_ticks >= 1, "as.confirm_ticks is not at least 1");
+  check(config.supply_current);
+  check(config.foot_force);
   require(std::isfinite(config.backbone_rad), "backbone_rad is not finite");
   require(strategy.push.size() <= 2, "a strategy has more than two pushing modes");
 }
@@ -87,6 +101,7 @@ std::string BehaviourMachine::tell(MachineState& state, const OperatorWord& word
     case Command::kStrategy:
       state.manual = {};
       choose_strategy(state, word.strategy);
+      if (state.began) choose_trigger(state);
       break;
     case Command::kMode:
       state.manual = {Manual::Hold::kMode, word.mode, {}};
@@ -104,9 +119,10 @@ std::string BehaviourMachine::tell(MachineState& state, const OperatorWord& word
 
 Decision BehaviourMachine::step(MachineState& state, const Perception& perception) const {
   update(state.bs, perception.pitch_rad, config_.bs.smoothing);
-  push(state.front_f, (perception.front_f_rad[0] + perception.front_f_rad[1]) / 2);
-  const double as_rad = mean(state.front_f, config_.as.window_ticks);
-  advance(state, perception, as_rad);
+  push(state.signals.front_f_rad, (perception.front_f_rad[0] + perception.front_f_rad[1]) / 2);
+  push(state.signals.supply_current_a, perception.supply_current_a);
+  push(state.signals.front_foot_n, (perception.front_foot_n[0] + perception.front_foot_n[1]) / 2);
+  advance(state, perception);
 
   Decision decision;
   decision.mode = mode_of(state);
@@ -122,13 +138,26 @@ Decision BehaviourMachine::step(MachineState& state, const Perception& perceptio
   decision.reason = state.reason;
   decision.bs_rad = state.bs.value;
   decision.bs_threshold_rad = config_.bs.threshold_rad;
-  decision.as_rad = as_rad;
-  decision.as_threshold_rad = as_threshold_rad();
+  const ObstacleReading as = read(state.signals, config_, Trigger::kFrontAngle);
+  decision.as_rad = as.value;
+  decision.as_threshold_rad = as.threshold;
+  const ObstacleReading trigger = read(state.signals, config_, state.trigger);
+  decision.trigger = state.trigger;
+  decision.trigger_value = trigger.value;
+  decision.trigger_threshold = trigger.threshold;
   return decision;
 }
 
-void BehaviourMachine::advance(MachineState& state, const Perception& perception,
-                               double as_rad) const {
+std::string BehaviourMachine::complaint(const MachineState& state) const {
+  const Strategy& strategy = strategy_of(state);
+  const bool switches = strategy.push.size() == 2 && !is_manual(state);
+  if (!state.began || !switches || state.trigger != Trigger::kNone) return "";
+  return "there will be no mode 2: this robot measures none of the signals by which the strategy "
+         "switches to it (" +
+         list_of(strategy.obstacle) + ")";
+}
+
+void BehaviourMachine::advance(MachineState& state, const Perception& perception) const {
   if (is_final(state.state)) {
     return;
   }
@@ -143,12 +172,23 @@ void BehaviourMachine::advance(MachineState& state, const Perception& perception
     case Phase::kHoming:
       return hold_still(state, tick, "homing");
     case Phase::kRunning:
-      return advance_running(state, tick, as_rad);
+      return advance_running(state, perception);
   }
 }
 
-void BehaviourMachine::advance_running(MachineState& state, std::uint32_t tick,
-                                       double as_rad) const {
+void BehaviourMachine::choose_trigger(MachineState& state) const {
+  const Strategy& strategy = strategy_of(state);
+  state.trigger = strategy.push.size() == 2 ? first_measured(strategy.obstacle, state.measured)
+                                            : Trigger::kNone;
+}
+
+void BehaviourMachine::advance_running(MachineState& state, const Perception& perception) const {
+  const std::uint32_t tick = perception.tick;
+  if (!state.began) {
+    state.began = true;
+    state.measured = perception.measured;
+    choose_trigger(state);
+  }
   switch (state.state) {
     case State::kIdle:
       return begin_running(state, tick, "the trial runs");
@@ -159,7 +199,7 @@ void BehaviourMachine::advance_running(MachineState& state, std::uint32_t tick,
     case State::kClimb:
       return climb(state, tick);
     case State::kMode1:
-      return watch_for_obstacle(state, tick, as_rad);
+      return watch_for_obstacle(state, tick);
     case State::kMode2:
     case State::kManual:
     case State::kDone:
@@ -193,18 +233,15 @@ void BehaviourMachine::climb(MachineState& state, std::uint32_t tick) const {
   }
 }
 
-void BehaviourMachine::watch_for_obstacle(MachineState& state, std::uint32_t tick,
-                                          double as_rad) const {
-  const bool armed = tick - state.entered_tick >= config_.as.arm_ticks &&
-                     covers(state.front_f, config_.as.window_ticks);
-  if (strategy_of(state).push.size() < 2 || !armed) {
-    return;
-  }
-  state.as_below = as_rad < as_threshold_rad() ? state.as_below + 1 : 0;
-  if (state.as_below >= config_.as.confirm_ticks) {
+void BehaviourMachine::watch_for_obstacle(MachineState& state, std::uint32_t tick) const {
+  const ObstacleTiming timing = timing_of(config_, state.trigger);
+  const bool armed = tick - state.entered_tick >= timing.arm_ticks;
+  if (state.trigger == Trigger::kNone || !armed) return;
+  const ObstacleReading reading = read(state.signals, config_, state.trigger);
+  state.beyond = reading.beyond ? state.beyond + 1 : 0;
+  if (state.beyond >= timing.confirm_ticks) {
     enter(state, State::kMode2, tick,
-          "AS " + figure(as_rad) + " < " + figure(as_threshold_rad()) + " rad for " +
-              figure_ticks(state.as_below));
+          phrase(reading, state.trigger) + " for " + figure_ticks(state.beyond));
   }
 }
 
@@ -231,10 +268,6 @@ Mode BehaviourMachine::mode_of(const MachineState& state) const {
       return Mode::kStop;
   }
   throw std::invalid_argument("no such state");
-}
-
-double BehaviourMachine::as_threshold_rad() const {
-  return config_.as.reference_rad - config_.as.drop_rad;
 }
 
 }  // namespace scarab::supervisor

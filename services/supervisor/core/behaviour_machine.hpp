@@ -21,6 +21,9 @@ struct Perception {
   Phase phase = Phase::kRunning;
   double pitch_rad = 0;                 ///< of the rear trunk, + = rear up
   std::array<double, 2> front_f_rad{};  ///< F-joint angles of the left and right front leg
+  double supply_current_a = 0;
+  std::array<double, 2> front_foot_n{};  ///< normal force on the left and right front foot
+  Measured measured;                     ///< which of the last three are measured
 };
 
 /// What the machine says for one tick (adapter: scarab/behaviour).
@@ -37,6 +40,9 @@ struct Decision {
   double bs_threshold_rad = 0;
   double as_rad = 0;
   double as_threshold_rad = 0;
+  Trigger trigger = Trigger::kNone;
+  double trigger_value = 0;  ///< rad, A or N
+  double trigger_threshold = 0;
 };
 
 /// The behaviour machine of the paper (section 3): pure function from (state, perception) to
@@ -48,10 +54,12 @@ struct Decision {
 ///     any of them -> manual -> approach: as the operator says
 ///
 /// approach -> climb: BS over its threshold. climb -> mode 1: BS over it for settle_ticks on end
-/// ("after a certain time step"); -> approach: BS fell back. mode 1 -> mode 2: AS below its
-/// threshold for confirm_ticks on end, counted from arm_ticks after mode 1 began. After a safe stop
-/// the machine approaches again, whatever it did before: the robot has been homed, and if it still
-/// lies on the object BS will say so.
+/// ("after a certain time step"); -> approach: BS fell back. mode 1 -> mode 2: the trigger's signal
+/// (AS, where the joints' angles are measured) beyond its threshold for confirm_ticks on end,
+/// counted from arm_ticks after mode 1 began. The trigger is the first of the strategy's list that
+/// the robot measures at the trial's first running tick; without one there is no mode 2. After a
+/// safe stop the machine approaches again, whatever it did before: the robot has been homed, and if
+/// it still lies on the object BS will say so.
 ///
 /// An operator may hold the robot to a mode or to inputs (manual), or have it follow another
 /// strategy, from its approach on. The end of the trial, a safe stop and homing come before that:
@@ -72,15 +80,18 @@ class BehaviourMachine {
   /// Advances `state` by one tick and returns the decision for it. At most one transition a tick.
   [[nodiscard]] Decision step(MachineState& state, const Perception& perception) const;
 
+  /// What keeps the strategy from being followed to its end, a sentence; empty: nothing.
+  [[nodiscard]] std::string complaint(const MachineState& state) const;
+
  private:
-  void advance(MachineState& state, const Perception& perception, double as_rad) const;
-  void advance_running(MachineState& state, std::uint32_t tick, double as_rad) const;
+  void advance(MachineState& state, const Perception& perception) const;
+  void advance_running(MachineState& state, const Perception& perception) const;
+  void choose_trigger(MachineState& state) const;
   void approach(MachineState& state, std::uint32_t tick) const;
   void climb(MachineState& state, std::uint32_t tick) const;
-  void watch_for_obstacle(MachineState& state, std::uint32_t tick, double as_rad) const;
+  void watch_for_obstacle(MachineState& state, std::uint32_t tick) const;
   [[nodiscard]] const Strategy& strategy_of(const MachineState& state) const;
   [[nodiscard]] Mode mode_of(const MachineState& state) const;
-  [[nodiscard]] double as_threshold_rad() const;
 
   SupervisorConfig config_;
   Strategy strategy_;  // of the trial

@@ -19,7 +19,7 @@ void enter(MachineState& machine, State next, std::uint32_t tick, const std::str
   machine.entered_tick = tick;
   assign(machine.reason, reason);
   machine.bs_above = 0;
-  machine.as_below = 0;
+  machine.beyond = 0;
 }
 
 void choose_strategy(MachineState& machine, const std::string& name) {

@@ -6,6 +6,7 @@
 #include <type_traits>
 
 #include "services/supervisor/core/manual.hpp"
+#include "services/supervisor/core/obstacle_watch.hpp"
 #include "services/supervisor/core/signals.hpp"
 
 namespace scarab::supervisor {
@@ -25,11 +26,13 @@ struct MachineState {
   Reason reason{};                 ///< why it was
   ExponentialMean bs;              ///< of the rear pitch, rad
   std::uint32_t bs_above = 0;      ///< consecutive ticks with BS over its threshold, of a climb
-  std::uint32_t as_below =
-      0;                    ///< consecutive ticks with AS under its threshold, of an armed mode 1
-  MovingWindow front_f;     ///< mean angle of the two front F-joints, rad
-  Manual manual;            ///< what the operator holds the robot to
-  StrategyName strategy{};  ///< the one the operator chose; empty: the trial's
+  std::uint32_t beyond = 0;  ///< consecutive ticks beyond the trigger's threshold, while armed
+  ObstacleSignals signals;
+  bool began = false;  ///< the trial has had a running tick; what follows was seen at the first
+  Measured measured;
+  Trigger trigger = Trigger::kNone;  ///< of the strategy that is followed
+  Manual manual;                     ///< what the operator holds the robot to
+  StrategyName strategy{};           ///< the one the operator chose; empty: the trial's
 };
 
 static_assert(std::is_trivially_copyable_v<MachineState>);

@@ -29,16 +29,36 @@ struct InclinationConfig {
 
 /// AS, the front legs' F-joint angle, averaged over one period of the CPG.
 struct FrontAngleConfig {
-  double window_ticks = 0;     ///< the CPG's period, need not be whole; 1..kMaxWindowTicks
+  /// The CPG's period, need not be whole; 1..kMaxWindowTicks. Of the other triggers' signals, too.
+  double window_ticks = 0;
   double reference_rad = 0;    ///< F0, the angle that the front F-joints are told to hold
   double drop_rad = 0;         ///< below reference_rad - drop_rad: the object is blocked
   unsigned confirm_ticks = 0;  ///< consecutive ticks below before mode 2, >= 1
   unsigned arm_ticks = 0;      ///< not before so many ticks of mode 1
 };
 
+/// The robot's supply current, averaged as AS is: it rises when the legs push against a blocked
+/// object.
+struct SupplyCurrentConfig {
+  double reference_a = 0;      ///< while the object rolls freely in mode 1
+  double rise_a = 0;           ///< above reference_a + rise_a: the object is blocked
+  unsigned confirm_ticks = 0;  ///< consecutive ticks above before mode 2, >= 1
+  unsigned arm_ticks = 0;      ///< not before so many ticks of mode 1
+};
+
+/// The normal force on the front feet, the mean of the two, averaged as AS is.
+struct FootForceConfig {
+  double reference_n = 0;      ///< while the object rolls freely in mode 1
+  double rise_n = 0;           ///< above reference_n + rise_n: the object is blocked
+  unsigned confirm_ticks = 0;  ///< consecutive ticks above before mode 2, >= 1
+  unsigned arm_ticks = 0;      ///< not before so many ticks of mode 1
+};
+
 struct SupervisorConfig {
   InclinationConfig bs;
   FrontAngleConfig as;
+  SupplyCurrentConfig supply_current;
+  FootForceConfig foot_force;
   double backbone_rad = 0;  ///< held in every mode, + = rear up
   std::array<double, 3>
       stationary_hind_pose_rad{};  ///< T, C, F of both hind legs in stationary mode

@@ -25,6 +25,7 @@ robot::JointVector ClosedLoop::decide() {
   perception.front_f_rad = {
       seen.position_rad[joint_slot(robot::Leg::kL0, robot::LegJoint::kFemurTibia)],
       seen.position_rad[joint_slot(robot::Leg::kR0, robot::LegJoint::kFemurTibia)]};
+  perception.measured.front_angle = true;
   const supervisor::Decision decision = machine_.step(behaviour_, perception);
   if (states_.empty() || states_.back() != decision.state) states_.push_back(decision.state);
   premotor::MotorIntent intent;

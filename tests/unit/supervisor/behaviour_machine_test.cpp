@@ -204,6 +204,7 @@ TEST(BehaviourMachine, GoesOnFromACopiedStateBitByBit) {
     perception.pitch_rad = tick < 20 ? 0.01 * std::sin(tick) : kTiltedRad;
     const double f = (tick < 90 ? 1.013 : kBlockedRad) + 0.02 * std::sin(0.4353 * tick);
     perception.front_f_rad = {f, f + 0.01};
+    perception.measured.front_angle = true;
     const Decision a = whole.machine.step(whole.state, perception);
     const Decision b = fresh.machine.step(fresh.state, perception);
     ASSERT_EQ(std::memcmp(&whole.state, &fresh.state, sizeof(MachineState)), 0) << "tick " << tick;

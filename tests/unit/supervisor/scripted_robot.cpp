@@ -31,6 +31,9 @@ Decision ScriptedRobot::tick() {
   perception.phase = phase;
   perception.pitch_rad = pitch_rad;
   perception.front_f_rad = {front_f_rad, front_f_rad};
+  perception.supply_current_a = supply_current_a;
+  perception.front_foot_n = {front_foot_n, front_foot_n};
+  perception.measured = measured;
   return machine.step(state, perception);
 }
 

@@ -21,6 +21,9 @@ class ScriptedRobot {
 
   double pitch_rad = 0;
   double front_f_rad = 0;  ///< starts at the reference angle: both front legs hold their target
+  double supply_current_a = 0;
+  double front_foot_n = 0;
+  Measured measured{true, true, true};
   Phase phase = Phase::kRunning;
 
   /// The operator says this before the next tick; returns why it is refused.
