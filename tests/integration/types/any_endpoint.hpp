@@ -1,8 +1,11 @@
 #pragma once
 
-#include <chrono>
-#include <optional>
+#include <gtest/gtest.h>
 
+#include <string>
+#include <vector>
+
+#include "common/bus/discovery.hpp"
 #include "common/bus/endpoint.hpp"
 #include "common/bus/raw_cdr.hpp"
 #include "common/bus/raw_qos.hpp"
@@ -33,6 +36,19 @@ class AnyReader : public bus::ReaderEndpoint {
             const dds_topic_descriptor_t& type, const bus::RawQos& qos = kept())
       : ReaderEndpoint(participant, topic.c_str(), type, bus::dds_qos_of(qos)) {}
 };
+
+/// The endpoint that is announced on a topic; waits for it.
+inline bus::DiscoveredEndpoint discover(bus::Discovery& discovery, const std::string& topic) {
+  bus::DiscoveredEndpoint found;
+  const bool announced = eventually([&] {
+    for (const auto& endpoint : discovery.update()) {
+      if (endpoint.topic == topic) found = endpoint;
+    }
+    return !found.topic.empty();
+  });
+  EXPECT_TRUE(announced) << "nobody on " << topic;
+  return found;
+}
 
 struct Taken {
   sample::Bytes cdr;

@@ -54,17 +54,6 @@ struct Unusual : testing::Test {
   bus::Participant foreign{test_options("")};
   bus::Participant logger{test_options("logger")};
   bus::Discovery discovery{logger};
-
-  bus::DiscoveredEndpoint discover(const std::string& topic) {
-    bus::DiscoveredEndpoint found;
-    EXPECT_TRUE(eventually([&] {
-      for (const auto& endpoint : discovery.update()) {
-        if (endpoint.topic == topic) found = endpoint;
-      }
-      return !found.topic.empty();
-    }));
-    return found;
-  }
 };
 
 /// A type as Fast DDS announces it: by its name.
@@ -78,7 +67,7 @@ dds_topic_descriptor_t without_information(const dds_topic_descriptor_t& from) {
 TEST_F(Unusual, SilentWriterOfAForeignTypeIsReportedAsSuch) {
   const auto type = without_information(wire_Single_desc);
   AnyWriter writer(foreign, "wire/single", type);
-  const bus::DiscoveredEndpoint found = discover("wire/single");
+  const bus::DiscoveredEndpoint found = discover(discovery, "wire/single");
   EXPECT_EQ(found.type, "wire::Single");
   EXPECT_THAT([&] { discovery.type_of(found, seconds(10)); },
               ThrowsMessage<bus::Error>(
@@ -93,7 +82,7 @@ TEST_F(Unusual, SilentWriterOfAKnownTypeIsRead) {
     const auto silent = without_information(compiled);
     const std::string topic = "somewhere/" + name.substr(8);
     AnyWriter writer(foreign, topic, silent);
-    const bus::DiscoveredEndpoint found = discover(topic);
+    const bus::DiscoveredEndpoint found = discover(discovery, topic);
     const bus::TopicType type = discovery.type_of(found, seconds(10));
     bus::RawReader reader(logger, {found}, type);
     const FilledSample sample(compiled);
@@ -109,7 +98,7 @@ TEST_F(Unusual, KeysThatCycloneCannotTakeAreSaid) {
        {&wire_KeyedInBase_desc, &wire_DerivedKeys_desc, &wire_KeyedByBoundedText_desc}) {
     const std::string topic = std::string("wire/") + (type->m_typename + 6);
     AnyWriter writer(foreign, topic, *type);
-    const bus::DiscoveredEndpoint found = discover(topic);
+    const bus::DiscoveredEndpoint found = discover(discovery, topic);
     EXPECT_THAT([&] { discovery.type_of(found, seconds(10)); },
                 ThrowsMessage<bus::Error>(HasSubstr("Cyclone DDS cannot read such types")));
     EXPECT_THAT([&] { bus::restore_type(logger, bus::store_type(*type)); },
@@ -125,7 +114,7 @@ TEST_F(Unusual, UndecodableTypesAreStillRecordedAndPublishedAgain) {
     bus::RawQos qos = kept();
     qos.xcdr2 = true;
     AnyWriter original(foreign, topic, compiled, qos);
-    const bus::DiscoveredEndpoint found = discover(topic);
+    const bus::DiscoveredEndpoint found = discover(discovery, topic);
     const bus::TopicType type = discovery.type_of(found, seconds(10));
     bus::RawReader recorder(logger, {found}, type);
     const std::vector<std::byte> zero(compiled.m_size);

@@ -64,21 +64,10 @@ struct WireType : testing::TestWithParam<const dds_topic_descriptor_t*> {
   bus::Participant typeless{test_options("typeless")};
   bus::Discovery discovery{typeless};
 
-  bus::DiscoveredEndpoint discover(const std::string& topic) {
-    bus::DiscoveredEndpoint found;
-    EXPECT_TRUE(eventually([&] {
-      for (const auto& endpoint : discovery.update()) {
-        if (endpoint.topic == topic) found = endpoint;
-      }
-      return !found.topic.empty();
-    }));
-    return found;
-  }
-
   /// A typed writer's sample, read by who has discovered the type, has every leaf.
   void expect_decoded(const bus::RawQos& qos) {
     AnyWriter writer(typed, "rt/topic", compiled, qos);
-    const bus::DiscoveredEndpoint found = discover("rt/topic");
+    const bus::DiscoveredEndpoint found = discover(discovery, "rt/topic");
     ASSERT_EQ(found.type, compiled.m_typename);
     const bus::TopicType type = discovery.type_of(found, seconds(10));
     bus::RawReader reader(typeless, {found}, type);
