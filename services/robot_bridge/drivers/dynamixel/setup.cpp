@@ -96,8 +96,10 @@ std::vector<ServoLimits> read_limits(ServoGroup& servos) {
   for (std::size_t i = 0; i < servos.size(); ++i) {
     const Servo& servo = servos.servos()[i];
     const JointRange reached = reach(servo.calibration);
-    const auto [low, high] =
-        std::minmax(goal_ticks(servo, reached.min_rad), goal_ticks(servo, reached.max_rad));
+    const std::int64_t one_end = goal_ticks(servo, reached.min_rad);
+    const std::int64_t other_end = goal_ticks(servo, reached.max_rad);
+    const std::int64_t low = std::min(one_end, other_end);
+    const std::int64_t high = std::max(one_end, other_end);
     if (high < min[i] || low > max[i]) {
       throw DeviceError(servos.bus().path() + ": " + servos.name_of(i) + " takes goals from " +
                         std::to_string(min[i]) + " to " + std::to_string(max[i]) +
