@@ -49,7 +49,7 @@ Calibration load_calibration(const std::filesystem::path& path, const robot::Rob
                   "is absent, but the robot " + robot.name + " has this joint");
     const robot::Joint& kept = reachable.joints[slot];
     check.require(kept.min_rad < kept.max_rad, robot::kJointNames[slot],
-                  "lets the servo reach nothing of the joint's range [" +
+                  "is mounted so that the servo reaches nothing of the joint's range [" +
                       config::format_number(joint.min_rad) + ", " +
                       config::format_number(joint.max_rad) + "] of the robot " + robot.name);
   }

@@ -82,9 +82,13 @@ int diff(const Arguments& arguments) {
 
 /// The place of a file of that kind among the files of a robot.
 std::optional<std::filesystem::path>& slot_of(RobotFiles& files, std::string_view kind) {
-  if (kind == "robot") return files.robot;
+  if (kind == "calibration") return files.calibration;
   if (kind == "plant") return files.plant;
-  return kind == "premotor" ? files.premotor : files.supervisor;
+  if (kind == "premotor") return files.premotor;
+  if (kind == "robot") return files.robot;
+  if (kind == "robot_bridge") return files.robot_bridge;
+  if (kind == "supervisor") return files.supervisor;
+  throw WrongKind("files of kind " + std::string(kind) + " go with any robot: nothing to match");
 }
 
 int match(const Arguments& arguments) {

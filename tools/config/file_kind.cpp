@@ -7,6 +7,8 @@
 #include "services/logger/config.hpp"
 #include "services/plant/config.hpp"
 #include "services/premotor/config.hpp"
+#include "services/robot_bridge/calibration_file.hpp"
+#include "services/robot_bridge/config.hpp"
 #include "services/supervisor/config.hpp"
 
 namespace scarab::config_tool {
@@ -25,6 +27,9 @@ const FileKind* find(std::string_view name) {
 
 const std::array<FileKind, kKindCount>& file_kinds() {
   static const std::array<FileKind, kKindCount> kinds = {{
+      {"calibration",
+       [](const Path& file) { return bridge::dump_calibration(bridge::load_calibration(file)); },
+       bridge::calibration_schema},
       {"logger", [](const Path& file) { return logger::dump_config(logger::load_config(file)); },
        logger::config_schema},
       {"plant", [](const Path& file) { return plant::dump_config(plant::load_config(file)); },
@@ -36,6 +41,9 @@ const std::array<FileKind, kKindCount>& file_kinds() {
       {"robot",
        [](const Path& file) { return config::dump(config::load<config::RobotSchema>(file)); },
        [] { return config::schema<config::RobotSchema>("Scarab: config/robot"); }},
+      {"robot_bridge",
+       [](const Path& file) { return bridge::dump_config(bridge::load_config(file)); },
+       bridge::config_schema},
       {"supervisor",
        [](const Path& file) { return supervisor::dump_config(supervisor::load_config(file)); },
        supervisor::config_schema},

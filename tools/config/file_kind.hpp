@@ -17,7 +17,7 @@ struct FileKind {
   std::string (*schema)();  ///< JSON Schema of such files
 };
 
-inline constexpr std::size_t kKindCount = 5;
+inline constexpr std::size_t kKindCount = 7;
 
 /// All kinds, in the order of their names.
 [[nodiscard]] const std::array<FileKind, kKindCount>& file_kinds();

@@ -9,6 +9,8 @@
 #include "common/config/scalar.hpp"
 #include "services/plant/config.hpp"
 #include "services/premotor/config.hpp"
+#include "services/robot_bridge/calibration_file.hpp"
+#include "services/robot_bridge/config.hpp"
 #include "services/supervisor/config.hpp"
 
 namespace scarab::config_tool {
@@ -43,6 +45,7 @@ using RobotFile = File<robot::RobotModel>;
 using PlantFile = File<plant::PlantConfig>;
 using PremotorFile = File<premotor::PremotorConfig>;
 using SupervisorFile = File<supervisor::SupervisorConfig>;
+using BridgeFile = File<bridge::BridgeConfig>;
 
 template <class T>
 std::optional<File<T>> read(const std::optional<Path>& path, T (*load)(const Path&)) {
@@ -88,13 +91,36 @@ class Aim {
   const RobotFile& robot_;
 };
 
-void expect_match(const PlantFile& plant, const RobotFile& robot) {
-  const Aim aim(plant.check(), robot);
-  const plant::StartConfig& start = plant.value().start;
+/// How the robot stands at the start: the plant's, or the bridge's.
+template <class Start>
+void expect_start(const Aim& aim, const Start& start) {
   aim.legs("start.front_rad", start.front_rad, 0);
   aim.legs("start.middle_rad", start.middle_rad, 1);
   aim.legs("start.hind_rad", start.hind_rad, 2);
   aim.backbone("start.backbone_rad", start.backbone_rad);
+}
+
+void expect_match(const PlantFile& plant, const RobotFile& robot) {
+  expect_start(Aim(plant.check(), robot), plant.value().start);
+}
+
+void expect_match(const BridgeFile& bridge, const RobotFile& robot) {
+  expect_start(Aim(bridge.check(), robot), bridge.value().start);
+}
+
+void expect_match(const BridgeFile& bridge, const PlantFile& plant) {
+  const config::Check check = bridge.check();
+  const auto same = [&](const char* key, const auto& here, const auto& there) {
+    check.require(here == there, key, "differs from " + plant.path());
+  };
+  const bridge::StartPose& start = bridge.value().start;
+  const plant::StartConfig& other = plant.value().start;
+  same("start.front_rad", start.front_rad, other.front_rad);
+  same("start.middle_rad", start.middle_rad, other.middle_rad);
+  same("start.hind_rad", start.hind_rad, other.hind_rad);
+  same("start.backbone_rad", start.backbone_rad, other.backbone_rad);
+  same("timing.control_period_s", bridge.value().timing.control_period_s,
+       plant.value().timing.control_period_s);
 }
 
 void expect_match(const PremotorFile& premotor, const RobotFile& robot) {
@@ -131,6 +157,13 @@ void expect_match(const RobotFiles& files) {
   const auto plant = read(files.plant, plant::load_config);
   const auto premotor = read(files.premotor, premotor::load_config);
   const auto supervisor = read(files.supervisor, supervisor::load_config);
+  const auto bridge = read(files.robot_bridge, bridge::load_config);
+  if (bridge && robot) expect_match(*bridge, *robot);
+  if (bridge && plant) expect_match(*bridge, *plant);
+  if (bridge && robot) (void)bridge::load_calibration(bridge->value().calibration, robot->value());
+  if (files.calibration && robot) {
+    (void)bridge::load_calibration(*files.calibration, robot->value());
+  }
   if (plant && robot) expect_match(*plant, *robot);
   if (premotor && robot) expect_match(*premotor, *robot);
   if (supervisor && robot) expect_match(*supervisor, *robot);

@@ -11,12 +11,15 @@ struct RobotFiles {
   std::optional<std::filesystem::path> plant;
   std::optional<std::filesystem::path> premotor;
   std::optional<std::filesystem::path> supervisor;
+  std::optional<std::filesystem::path> robot_bridge;
+  std::optional<std::filesystem::path> calibration;
 };
 
 /// Reads the files and looks at what no single one of them can tell: angles at which a joint is
-/// told to stand are within its range, beyond which the programs would clip them in silence, and
-/// the supervisor compares the front legs with the angle that the premotor controller tells them to
-/// hold. Throws config::Error at the first value that does not fit.
+/// told to stand are within its range, beyond which the programs would clip them in silence; the
+/// supervisor compares the front legs with the angle that the premotor controller tells them to
+/// hold; servos reach what the robot is described with; and a robot behind its bridge starts, and
+/// is asked, as the plant is. Throws config::Error at the first value that does not fit.
 void expect_match(const RobotFiles& files);
 
 }  // namespace scarab::config_tool

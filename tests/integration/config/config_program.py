@@ -11,7 +11,7 @@ import yaml
 SOURCE_ROOT = Path(__file__).resolve().parents[3]
 CONFIG = SOURCE_ROOT / "config"
 SCHEMAS = CONFIG / "schema"
-KINDS = ("logger", "plant", "premotor", "robot", "supervisor")  # the files in other folders are other programs'
+KINDS = ("calibration", "logger", "plant", "premotor", "robot", "robot_bridge", "supervisor")  # the files in other folders are other programs'
 SHIPPED = sorted(file for kind in KINDS for file in (CONFIG / kind).glob("*.yaml"))
 REGENERATE = "run: scarab-config schema --all config/schema"
 PROGRAM = os.environ.get("SCARAB_CONFIG") or sys.exit("SCARAB_CONFIG must name the program, as ctest does")

@@ -10,10 +10,10 @@ import yaml
 from jsonschema import Draft7Validator
 
 import mutation
-from config_program import SHIPPED, kind_of, read_yaml, scarab_config, schema_of
+from config_program import CONFIG, SHIPPED, kind_of, read_yaml, scarab_config, schema_of
 
 # Mutants are made of these, one of each kind. They extend no other file: what a mistake comes to would depend on it.
-WHOLE = [file for file in SHIPPED if file.stem == "beetle"]
+WHOLE = [file for file in SHIPPED if file.stem in ("beetle", "beetle-dynamixel")]
 OUT_OF_RANGE = re.compile(r": \S+ is (not (in |above |at least |at most )|negative)")
 
 
@@ -30,7 +30,10 @@ class SchemaAgrees(unittest.TestCase):
     def setUp(self):
         folder = tempfile.TemporaryDirectory()
         self.addCleanup(folder.cleanup)
-        self.folder = Path(folder.name)
+        # A folder among folders like those of config/, in which a bridge's file names its calibration.
+        self.folder = Path(folder.name) / "mutants"
+        self.folder.mkdir()
+        (self.folder.parent / "calibration").symlink_to(CONFIG / "calibration")
 
     def refusals(self, kind, contents):
         """What the program says of each content, or None; all in one process."""

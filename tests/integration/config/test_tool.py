@@ -46,7 +46,7 @@ class Tool(unittest.TestCase):
         code, out, _ = scarab_config("check", "beetle.yaml", folder=CONFIG / "plant")
         self.assertEqual((code, out), (0, "beetle.yaml: ok\n"))
         stray = self.write("stray.yaml", BEETLE.read_text())
-        self.assert_refused("check", stray, saying="name one with --kind (logger, plant, premotor, robot, supervisor)")
+        self.assert_refused("check", stray, saying="name one with --kind (calibration, logger, plant, premotor, robot, robot_bridge, supervisor)")
         self.assertEqual(scarab_config("check", stray, "--kind", "robot")[:2], (0, f"{stray}: ok\n"))
         self.assert_refused("check", stray, "--kind", "bird", saying="no kind 'bird'")
 
@@ -86,6 +86,50 @@ class Tool(unittest.TestCase):
         for robot in robots:
             files = [CONFIG / kind / f"{robot}.yaml" for kind in ("supervisor", "robot", "premotor", "plant")]
             self.assertEqual(scarab_config("match", *files), (0, "the files match\n", ""))
+
+    def test_match_takes_every_robot_behind_its_bridge(self):
+        bridges = [file for file in SHIPPED if kind_of(file) == "robot_bridge"]
+        self.assertGreater(len(bridges), 3)
+        for bridge in bridges:
+            robot = bridge.stem.partition("-")[0]
+            files = [bridge, *(CONFIG / kind / f"{robot}.yaml" for kind in ("robot", "plant"))]
+            self.assertEqual(scarab_config("match", *files), (0, "the files match\n", ""), bridge)
+
+    def test_match_finds_a_bridge_that_does_not_do_as_the_plant(self):
+        robot, plant = (CONFIG / kind / "beetle.yaml" for kind in ("robot", "plant"))
+        base = CONFIG / "robot_bridge" / "beetle-dynamixel.yaml"
+        same = f"extends: {base}\ncalibration: {CONFIG}/calibration/beetle-dynamixel.yaml\n"
+        for key, change in (("start.hind_rad", "start: {hind_rad: [0.6, -0.26, 1.23]}"),
+                            ("timing.control_period_s", "timing: {control_period_s: 0.2}")):
+            wrong = self.write("robot_bridge/wrong.yaml", f"{same}{change}\n")
+            self.assertEqual(scarab_config("check", wrong)[0], 0, "alone there is nothing wrong with it")
+            self.assert_refused("match", wrong, robot, plant, saying=f"{key}: differs from {plant}")
+        wrong = self.write("robot_bridge/wrong.yaml", f"{same}start: {{backbone_rad: 1}}\n")
+        self.assert_refused("match", wrong, robot, saying="start.backbone_rad: 1 is outside of the backbone joint's")
+
+    def test_match_finds_servos_that_do_not_fit_the_robot(self):
+        robot = CONFIG / "robot" / "beetle.yaml"
+        base = CONFIG / "calibration" / "beetle-dynamixel.yaml"
+        for change, saying in (("BJ: absent", "BJ: is absent, but the robot beetle has this joint"),
+                               ("FL1: {offset_rad: 2.0, direction: -1, min_rad: 2.0, max_rad: 3.0}",
+                                "FL1: is mounted so that the servo reaches nothing of the joint's range [0, 1.5")):
+            wrong = self.write("calibration/wrong.yaml", f"extends: {base}\n{change}\n")
+            self.assertEqual(scarab_config("check", wrong)[0], 0, "alone there is nothing wrong with it")
+            self.assert_refused("match", wrong, robot, saying=saying)
+
+    def test_match_takes_no_file_that_goes_with_any_robot(self):
+        logger = CONFIG / "logger" / "default.yaml"
+        self.assert_refused("match", logger, BEETLE, saying="files of kind logger go with any robot")
+
+    def test_a_bridge_names_its_calibration_and_has_its_drivers_section(self):
+        base = CONFIG / "robot_bridge" / "beetle-loopback.yaml"
+        calibration = CONFIG / "calibration" / "beetle-loopback.yaml"
+        for change, saying in (
+                ("driver: dynamixl", "driver: expected one of amosii, dynamixel, loopback, found 'dynamixl'; did you mean 'dynamixel'?"),
+                (f"driver: dynamixel\ncalibration: {calibration}", "dynamixel: is missing: the section of the driver"),
+                ("calibration: none.yaml", f"calibration: there is no file {self.folder}/robot_bridge/none.yaml")):
+            wrong = self.write("robot_bridge/wrong.yaml", f"extends: {base}\n{change}\n")
+            self.assert_refused("check", wrong, saying=saying)
 
     def test_match_finds_what_no_single_file_can_tell(self):
         others = {kind: CONFIG / kind / "beetle.yaml" for kind in ("plant", "premotor", "robot", "supervisor")}
