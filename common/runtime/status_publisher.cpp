@@ -10,6 +10,11 @@
 #include "common/bus/sample_fields.hpp"
 
 namespace scarab::runtime {
+namespace {
+
+constexpr std::size_t kCountersMost = 32;  // bound of ServiceStatus.counters
+
+}  // namespace
 
 StatusPublisher::StatusPublisher(bus::Participant& participant, const bus::Peer& self)
     : service_(self.service), writer_(participant, bus::kServiceStatus) {
@@ -87,12 +92,12 @@ void StatusPublisher::publish_if_due() {
 }
 
 void StatusPublisher::publish() {
-  std::vector<scarab_Counter> counters(counters_.size());
-  auto counter = counters.begin();
+  std::vector<scarab_Counter> counters;
   for (const auto& [name, value] : counters_) {
-    bus::assign_truncated(counter->name, name);
-    counter->value = value;
-    ++counter;
+    if (counters.size() == kCountersMost) break;  // a robot's long story is no reason to stop it
+    scarab_Counter& counter = counters.emplace_back();
+    bus::assign_truncated(counter.name, name);
+    counter.value = value;
   }
   bus::borrow(status_.counters, counters);
   std::vector<scarab_Histogram> histograms(histograms_.size());

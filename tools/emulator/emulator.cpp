@@ -14,6 +14,7 @@
 #include <string>
 
 #include "common/bus/error.hpp"
+#include "common/runtime/real_time_care.hpp"
 #include "services/plant/adapter.hpp"
 #include "tools/emulator/boards/make_board.hpp"
 #include "tools/emulator/bus_side.hpp"
@@ -112,6 +113,9 @@ Emulator::Emulator(const EmulatorOptions& options, const Configuration& configur
 }
 
 void Emulator::run() {
+  // It stands in for hardware, which answers in time whatever else the computer does.
+  const runtime::RealTimeCare care = runtime::take_real_time_care();
+  if (!care.priority_raised) spdlog::warn("{}", care.priority_refusal);
   // The kernel may else wake us up to 50 us late to save a wake-up: five bytes of a fast bus.
   ::prctl(PR_SET_TIMERSLACK, 1UL, 0, 0, 0);
   do {
