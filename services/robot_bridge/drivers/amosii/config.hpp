@@ -25,7 +25,8 @@ struct Inclinometer {
   InclinationAxis pitch;  ///< the board's y, about the sideways direction
 };
 
-/// Current of all motors = (byte - zero_byte) * a_per_byte.
+/// Current of all motors = (byte - zero_byte) * a_per_byte. The laboratory's software gives
+/// (byte * 5 / 256 - 2.5) / 0.037 for its ZAP 25 sensor: zero at 128, 0.528 A a byte.
 struct MotorCurrent {
   double zero_byte = 128;
   double a_per_byte = 0.528;

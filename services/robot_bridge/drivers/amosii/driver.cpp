@@ -70,7 +70,7 @@ void AmosiiDriver::write(const robot::JointVector& target_rad) {
     if (!joints_[joint]) continue;
     const double m = motor_command_for(*joints_[joint], target_rad[joint]);
     motors[kMotorSlots[joint].slot] = motor_byte(joint, m);
-    commanded[joint] = joint_angle_for(*joints_[joint], m);
+    commanded[joint] = joint_angle_for(*joints_[joint], effective_command(joint, m));
   }
   board().set(motors);
   commanded_rad_ = commanded;

@@ -28,6 +28,11 @@ double motor_command(std::size_t joint, std::uint8_t byte) {
   return std::clamp(trimmed, -1.0, 1.0) - servo.trim;
 }
 
+double effective_command(std::size_t joint, double m) {
+  const double trim = kMotorSlots[joint].trim;
+  return std::clamp(m + trim, -1.0, 1.0) - trim;
+}
+
 double motor_command_for(const JointCalibration& c, double joint_rad) {
   return 2.0 * (to_servo_rad(c, joint_rad) - c.min_rad) / (c.max_rad - c.min_rad) - 1.0;
 }

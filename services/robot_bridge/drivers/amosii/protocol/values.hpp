@@ -19,6 +19,9 @@ namespace scarab::bridge::amosii {
 /// At most half a byte's step from the m that was sent.
 [[nodiscard]] double motor_command(std::size_t joint, std::uint8_t byte);
 
+/// The m that `m` really has the effect of: one beyond what the trim leaves of [-1, 1] ends there.
+[[nodiscard]] double effective_command(std::size_t joint, double m);
+
 /// The m for an angle (rad) of the joint: -1 and +1 are the ends of the servo's travel.
 ///
 /// A reconstruction: the laboratory publishes which m its controllers send and which bytes they
