@@ -2,10 +2,12 @@
 
 namespace scarab::runtime {
 
-/// Makes this thread, and those it starts from now on, wait until a core is free rather than push
-/// aside who runs there when a sample wakes them (Linux: SCHED_BATCH). Their share of the processor
-/// stays the same. For a service that nobody in the chain waits for: on few cores its every wake-up
-/// would else hold the chain up. False: the system refuses, and all stays as it was.
+/// Makes this thread, and those it starts from now on, give way: when a sample wakes them they wait
+/// until a core is free (Linux: SCHED_BATCH), and who else wakes up takes the core from them at
+/// once (a slice of 100 ms, Linux 6.12 and later; sched_setattr(2)). Their share of the processor
+/// stays the same. For a service that nobody in the chain waits for: on few cores its every
+/// wake-up, and every chunk it compresses, would else hold the chain up. False: the system refuses,
+/// and all stays as it was.
 bool be_polite();
 
 }  // namespace scarab::runtime

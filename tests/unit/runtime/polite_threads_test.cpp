@@ -2,11 +2,23 @@
 
 #include <gtest/gtest.h>
 #include <sched.h>
+#include <sys/resource.h>
+#include <sys/syscall.h>
+#include <unistd.h>
 
+#include <array>
+#include <cstdint>
 #include <thread>
 
 namespace scarab::runtime {
 namespace {
+
+/// Of this thread; 0 where Linux does not tell it (before 6.12).
+std::uint64_t slice_ns() {
+  std::array<std::uint64_t, 6> attributes{};  // sched_setattr(2): the fourth is sched_runtime
+  EXPECT_EQ(::syscall(SYS_sched_getattr, 0, attributes.data(), sizeof(attributes), 0), 0);
+  return attributes[3];
+}
 
 TEST(PoliteThreads, AreThisOneAndThoseItStarts) {
   std::thread([] {  // a thread of its own: the test's is to stay as it is
@@ -16,8 +28,28 @@ TEST(PoliteThreads, AreThisOneAndThoseItStarts) {
     int child = SCHED_OTHER;
     std::thread([&] { child = sched_getscheduler(0); }).join();
     EXPECT_EQ(child, SCHED_BATCH);
-  }).join();
+  })
+      .join();
   EXPECT_EQ(sched_getscheduler(0), SCHED_OTHER);
+}
+
+TEST(PoliteThreads, KeepTheirShareOfTheProcessor) {
+  const int usual = ::getpriority(PRIO_PROCESS, 0);
+  std::thread([&] {
+    ASSERT_TRUE(be_polite());
+    EXPECT_EQ(::getpriority(PRIO_PROCESS, 0), usual);
+  }).join();
+}
+
+TEST(PoliteThreads, HaveALongerSliceThanOthersWhereLinuxKnowsSlices) {
+  const std::uint64_t usual = slice_ns();
+  std::thread([&] {
+    ASSERT_TRUE(be_polite());
+    EXPECT_EQ(slice_ns() > usual, usual > 0) << slice_ns() << " ns, else " << usual << " ns";
+    std::uint64_t child = 0;
+    std::thread([&] { child = slice_ns(); }).join();
+    EXPECT_EQ(child, slice_ns());
+  }).join();
 }
 
 }  // namespace
