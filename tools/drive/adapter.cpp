@@ -80,6 +80,12 @@ void see(Live& live, const scarab_Behaviour& behaviour) {
   live.bs_threshold_rad = behaviour.bs_threshold_rad;
   live.as_rad = behaviour.as_rad;
   live.as_threshold_rad = behaviour.as_threshold_rad;
+  live.by_load = behaviour.trigger == scarab_TRIGGER_SUPPLY_CURRENT ||
+                 behaviour.trigger == scarab_TRIGGER_FOOT_FORCE;
+  live.trigger = runtime::word(behaviour.trigger);
+  live.trigger_unit = behaviour.trigger == scarab_TRIGGER_FOOT_FORCE ? "N" : "A";
+  live.trigger_value = behaviour.trigger_value;
+  live.trigger_threshold = behaviour.trigger_threshold;
 }
 
 void see(Live& live, const runtime::StatusBoard& board, const std::string& tick_master) {

@@ -56,6 +56,11 @@ struct Live {
   double bs_threshold_rad = 0;
   double as_rad = 0;
   double as_threshold_rad = 0;
+  bool by_load = false;  ///< another signal than AS switches to mode 2: the one below
+  std::string trigger;   ///< such as "supply current"
+  std::string trigger_unit;
+  double trigger_value = 0;
+  double trigger_threshold = 0;
 
   // scarab/service_status
   std::vector<ServiceLine> services;

@@ -97,10 +97,10 @@ Line inputs(const Live& live, const Keyboard& keyboard) {
   return line;
 }
 
-Line signal(const std::string& name, double value, double threshold, double low, double high,
-            const std::string& meaning) {
+Line signal(const std::string& name, double value, const std::string& unit, double threshold,
+            double low, double high, const std::string& meaning) {
   return {{name + " ", Style::kDim},
-          {figure(value, 3) + " rad "},
+          {figure(value, 3) + " " + unit + " "},
           {bar(value, low, high, threshold, kBarColumns)},
           {" | " + decimal(threshold, 3) + " " + meaning, Style::kDim}};
 }
@@ -108,15 +108,24 @@ Line signal(const std::string& name, double value, double threshold, double low,
 Line bs(const Live& live) {
   const double threshold = live.bs_threshold_rad;
   const bool above = live.bs_rad > threshold && !live.state.empty();
-  return signal("BS", live.bs_rad, threshold, 0, std::max(2 * threshold, 0.01),
+  return signal("BS", live.bs_rad, "rad", threshold, 0, std::max(2 * threshold, 0.01),
                 above ? "above: on it" : "inclination");
 }
 
 Line as(const Live& live) {
   const double threshold = live.as_threshold_rad;
   const bool below = live.as_rad < threshold && !live.state.empty();
-  return signal("AS", live.as_rad, threshold, threshold - 0.2, threshold + 0.2,
+  return signal("AS", live.as_rad, "rad", threshold, threshold - 0.2, threshold + 0.2,
                 below ? "below: blocked" : "front F-joints");
+}
+
+/// The load that tells of the obstacle where AS does not.
+Line load(const Live& live) {
+  const double threshold = live.trigger_threshold;
+  const bool above = live.trigger_value > threshold && !live.state.empty();
+  const std::string name = live.trigger_unit == "N" ? "FS" : "IS";
+  return signal(name, live.trigger_value, live.trigger_unit, threshold, 0, 2 * threshold,
+                above ? "above: blocked" : live.trigger);
 }
 
 std::string angle(const Live& live, std::size_t slot) {
@@ -182,7 +191,7 @@ std::vector<Line> main_page(const Live& live, const Keyboard& keyboard, const No
                              banner(live),
                              inputs(live, keyboard),
                              bs(live),
-                             as(live),
+                             live.by_load ? load(live) : as(live),
                              {}};
   const auto append = [&lines](const std::vector<Line>& more) {
     lines.insert(lines.end(), more.begin(), more.end());

@@ -37,14 +37,30 @@ TEST(Adapter, TakesWhatTheSupervisorSays) {
   bus::assign(behaviour.reason, "operator: mode soft_push");
   behaviour.bs_rad = 0.1;
   behaviour.as_threshold_rad = 0.951;
+  behaviour.trigger = scarab_TRIGGER_FRONT_ANGLE;
   Live live;
   see(live, behaviour);
+  EXPECT_FALSE(live.by_load);
   EXPECT_EQ(live.mode, "soft_push");
   EXPECT_EQ(live.state, "manual");
   EXPECT_EQ(live.reason, "operator: mode soft_push");
   EXPECT_EQ(live.inputs[3], -0.3);
   EXPECT_EQ(live.bs_rad, 0.1);
   EXPECT_EQ(live.as_threshold_rad, 0.951);
+}
+
+TEST(Adapter, TakesTheLoadThatSwitchesInThePlaceOfAs) {
+  scarab_Behaviour behaviour{};
+  behaviour.trigger = scarab_TRIGGER_FOOT_FORCE;
+  behaviour.trigger_value = 9.5;
+  behaviour.trigger_threshold = 12.5;
+  Live live;
+  see(live, behaviour);
+  EXPECT_TRUE(live.by_load);
+  EXPECT_EQ(live.trigger, "foot force");
+  EXPECT_EQ(live.trigger_unit, "N");
+  EXPECT_EQ(live.trigger_value, 9.5);
+  EXPECT_EQ(live.trigger_threshold, 12.5);
 }
 
 }  // namespace

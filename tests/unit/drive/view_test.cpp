@@ -112,6 +112,20 @@ TEST(View, ShowsHoming) {
   EXPECT_TRUE(has_style(lines_of(live), Style::kWarning, "HOMING"));
 }
 
+TEST(View, ShowsTheSignalThatSwitchesInThePlaceOfAs) {
+  Live live = walking();
+  live.by_load = true;
+  live.trigger = "supply current";
+  live.trigger_unit = "A";
+  live.trigger_value = 5.25;
+  live.trigger_threshold = 8.9;
+  EXPECT_THAT(
+      text_of(lines_of(live)),
+      AllOf(HasSubstr("IS +5.250 A"), HasSubstr("8.900 supply current"), Not(HasSubstr("AS "))));
+  live.trigger_value = 9.5;
+  EXPECT_THAT(text_of(lines_of(live)), HasSubstr("8.900 above: blocked"));
+}
+
 TEST(View, ComparesSignalsWithTheirThresholds) {
   Live live = walking();
   EXPECT_THAT(text_of(lines_of(live)), AllOf(Not(HasSubstr("above")), Not(HasSubstr("below"))));
