@@ -19,15 +19,17 @@ LATE_S = 4.0          # after the object was blocked; without noise mode 2 begin
 BLOCKED_GAP_M = 0.01  # between object and obstacle
 REACH_M = 0.40        # from the trunk's centre to the object's axis: nearer, the hind feet are on the object
 TIMES = ("latency_s", "jitter_s")
+TRIGGERS = ("front_angle", "supply_current", "foot_force")
 
 _HELP = """Runs trials in one process (scarab-sim) with the errors of config/plant/beetle-noisy.yaml multiplied by each
 scale; latencies and jitter too, in whole steps. --only SECTION.KEY, repeatable, multiplies these alone and leaves
-all others out. By the ground truth, mode 1 is right if the robot has its hind feet on the object, mode 2 if it begins
+all others out. --trigger has the strategy switch by this signal, whatever the supervisor's file prefers. By the ground truth, mode 1 is right if the robot has its hind feet on the object, mode 2 if it begins
 after the obstacle has blocked the object, and within 4 s of it. Times are smallest, median, largest.
 
 example:
   tests/benchmark/sensors/triggers.py --bin build/release/bin --trials 40 --scale 0 1 2 4
   tests/benchmark/sensors/triggers.py --trials 40 --scale 4 --only inclination.bias_rad
+  tests/benchmark/sensors/triggers.py --trials 100 --seed 1001 --trigger supply_current
 """
 
 
@@ -62,13 +64,23 @@ def scaled_file(folder: Path, scale: float, only: List[str]) -> Path:
     return path
 
 
-def simulate(options: argparse.Namespace, plant: Path, log: Path) -> None:
+def supervisor_file(folder: Path, options: argparse.Namespace) -> Path:
+    """The supervisor's file; with --trigger one that has only this signal switch."""
+    if options.trigger is None:
+        return options.supervisor
+    path = folder / "supervisor.yaml"
+    path.write_text(yaml.safe_dump({"extends": str(options.supervisor.resolve()),
+                                    "strategies": {options.strategy: {"obstacle": [options.trigger]}}}), encoding="utf-8")
+    return path
+
+
+def simulate(options: argparse.Namespace, plant: Path, supervisor: Path, log: Path) -> None:
     command = [str(options.bin / "scarab-sim"), "--quiet", "--plant", str(plant),
                "--robot", str(ROOT / "config/robot/beetle.yaml"),
                "--premotor", str(ROOT / "config/premotor/beetle.yaml"),
-               "--supervisor", str(options.supervisor),
+               "--supervisor", str(supervisor),
                "--strategy", options.strategy, "--height", str(options.height),
-               "--trials", str(options.trials), "--output", str(log)]
+               "--trials", str(options.trials), "--seed", str(options.seed), "--output", str(log)]
     done = subprocess.run(command, stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True, check=False)
     if done.returncode not in (0, 1):  # a failed trial is a result
         raise RuntimeError(f"scarab-sim ended with {done.returncode}: {done.stderr}")
@@ -128,10 +140,12 @@ def main() -> int:
     parser = argparse.ArgumentParser(description=__doc__, epilog=_HELP,
                                      formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("--bin", type=Path, default=ROOT / "build/release/bin", help="built programs")
-    parser.add_argument("--trials", type=int, default=40, help="seeds 1..N (40)")
+    parser.add_argument("--trials", type=int, default=40, help="how many seeds (40)")
+    parser.add_argument("--seed", type=int, default=1, help="the first of them (1)")
     parser.add_argument("--scale", type=float, nargs="+", default=[0, 1, 2, 4], help="of the errors (0 1 2 4)")
     parser.add_argument("--only", action="append", default=[], metavar="SECTION.KEY", help="these errors alone")
     parser.add_argument("--strategy", default="soft+hard", help="pushing strategy (soft+hard)")
+    parser.add_argument("--trigger", choices=TRIGGERS, help="switch to mode 2 by this signal (as the file has it)")
     parser.add_argument("--height", type=float, default=0.10, help="of the obstacle, m; 0: none (0.10)")
     parser.add_argument("--supervisor", type=Path, default=ROOT / "config/supervisor/beetle.yaml",
                         help="the supervisor's file")
@@ -142,7 +156,8 @@ def main() -> int:
     for scale in options.scale:
         with tempfile.TemporaryDirectory() as name:
             folder = Path(name)
-            simulate(options, scaled_file(folder, scale, options.only), folder / "trials.mcap")
+            simulate(options, scaled_file(folder, scale, options.only), supervisor_file(folder, options),
+                     folder / "trials.mcap")
             print(report(scale, read_trials(options, folder / "trials.mcap", radius_m)), flush=True)
     return 0
 

@@ -41,6 +41,17 @@ struct Supervisor {
     state.inclination_rad[1] = std::min(0.02 * tick, 0.4);
     return state;
   }
+  /// The same robot without joint feedback: it tells what it was told, and draws a current that
+  /// rises from `blocked_tick` on.
+  static scarab_RobotState blind_question_of(std::uint32_t trial, std::uint32_t tick,
+                                             std::uint32_t blocked_tick) {
+    scarab_RobotState state = question_of(trial, tick);
+    std::fill(std::begin(state.position_source), std::end(state.position_source),
+              scarab_SOURCE_COMMANDED);
+    state.supply_current_a = tick < blocked_tick ? 5 : 12;
+    state.supply_current_source = scarab_SOURCE_MEASURED;
+    return state;
+  }
 };
 
 }  // namespace scarab::test

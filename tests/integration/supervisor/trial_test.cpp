@@ -1,5 +1,6 @@
 #include <gmock/gmock.h>
 
+#include <optional>
 #include <set>
 
 #include "tests/integration/responder/stand_ins.hpp"
@@ -57,6 +58,46 @@ TEST_F(SupervisorTrial, PassesThroughTheBehavioursAndEndsWithTheTrial) {
   EXPECT_EQ(behaviour->state, scarab_BEHAVIOUR_DONE);
   EXPECT_TRUE(status_.await(
       self_, [](const auto& report) { return report.lifecycle == scarab_LIFECYCLE_INACTIVE; }));
+}
+
+TEST_F(SupervisorTrial, WithoutJointFeedbackTheSupplyCurrentSwitches) {
+  constexpr std::uint32_t kBlocked = 75, kLast = 110;
+  stand_ins_.tell_trial(1);
+  ASSERT_TRUE(status_.await_ready(self_, 1)) << child_.err();
+  std::optional<std::uint32_t> mode_2_at;
+  for (std::uint32_t tick = 0; tick < kLast && !mode_2_at; ++tick) {
+    stand_ins_.ask(Supervisor::blind_question_of(1, tick, kBlocked));
+    const auto behaviour = stand_ins_.answers().await(1, tick);
+    ASSERT_TRUE(behaviour) << child_.err();
+    EXPECT_EQ(behaviour->trigger, scarab_TRIGGER_SUPPLY_CURRENT) << tick;
+    if (behaviour->state != scarab_BEHAVIOUR_MODE_2) continue;
+    mode_2_at = tick;
+    EXPECT_GT(behaviour->trigger_value, behaviour->trigger_threshold);
+    EXPECT_THAT(behaviour->reason, HasSubstr("supply current"));
+  }
+  ASSERT_TRUE(mode_2_at) << "no switch";
+  EXPECT_GT(*mode_2_at, kBlocked) << "switched before the current rose";
+}
+
+TEST_F(SupervisorTrial, WhereNothingTellsOfTheObstacleItSaysSo) {
+  stand_ins_.tell_trial(1);
+  ASSERT_TRUE(status_.await_ready(self_, 1)) << child_.err();
+  auto question = Supervisor::blind_question_of(1, 0, 0);
+  question.supply_current_source = scarab_SOURCE_ABSENT;
+  stand_ins_.ask(question);
+  const auto behaviour = stand_ins_.answers().await(1, 0);
+  ASSERT_TRUE(behaviour) << child_.err();
+  EXPECT_EQ(behaviour->trigger, scarab_TRIGGER_NONE);
+  const auto report = status_.await_health(self_, scarab_HEALTH_DEGRADED);
+  ASSERT_TRUE(report) << child_.err();
+  EXPECT_THAT(report->message,
+              AllOf(HasSubstr("no mode 2"), HasSubstr("front_angle, supply_current")));
+  stand_ins_.tell_trial(2);  // and a robot that measures is none the worse for it
+  ASSERT_TRUE(status_.await_ready(self_, 2)) << child_.err();
+  const auto next = stand_ins_.consult(2, 0);
+  ASSERT_TRUE(next) << child_.err();
+  EXPECT_EQ(next->trigger, scarab_TRIGGER_FRONT_ANGLE);
+  EXPECT_TRUE(status_.await_health(self_, scarab_HEALTH_OK));
 }
 
 }  // namespace

@@ -71,5 +71,50 @@ TEST(PerceptionAdapter, KeepsThePhaseAndBlindsWhatIsNotMeasured) {
   EXPECT_EQ(to_perception(state).front_f_rad[0], 1.01);
 }
 
+TEST(PerceptionAdapter, OnlyWhatBothFrontLegsMeasureIsMeasured) {
+  scarab_RobotState state{};
+  const auto left = robot::joint_slot(robot::Leg::kL0, robot::LegJoint::kFemurTibia);
+  const auto right = robot::joint_slot(robot::Leg::kR0, robot::LegJoint::kFemurTibia);
+  const auto measured = [&state] { return to_perception(state).measured; };
+  EXPECT_FALSE(measured().front_angle || measured().supply_current || measured().foot_force);
+  state.position_source[left] = scarab_SOURCE_MEASURED;
+  state.position_source[right] = scarab_SOURCE_COMMANDED;
+  EXPECT_FALSE(measured().front_angle) << "what is commanded tells of no load";
+  state.position_source[right] = scarab_SOURCE_MEASURED;
+  EXPECT_TRUE(measured().front_angle);
+  state.foot_force_source[robot::leg_slot(robot::Leg::kL0)] = scarab_SOURCE_MEASURED;
+  EXPECT_FALSE(measured().foot_force);
+  state.foot_force_source[robot::leg_slot(robot::Leg::kR0)] = scarab_SOURCE_MEASURED;
+  EXPECT_TRUE(measured().foot_force);
+  state.supply_current_source = scarab_SOURCE_MEASURED;
+  EXPECT_TRUE(measured().supply_current);
+}
+
+TEST(PerceptionAdapter, TakesCurrentAndFrontFeet) {
+  scarab_RobotState state{};
+  EXPECT_TRUE(std::isnan(to_perception(state).supply_current_a));
+  EXPECT_TRUE(std::isnan(to_perception(state).front_foot_n[0]));
+  state.supply_current_source = scarab_SOURCE_MEASURED;
+  state.supply_current_a = 7.5;
+  for (const auto leg : robot::kLegs) {
+    state.foot_force_source[robot::leg_slot(leg)] = scarab_SOURCE_MEASURED;
+    state.foot_force_n[robot::leg_slot(leg)] = 10 + static_cast<double>(robot::leg_slot(leg));
+  }
+  EXPECT_EQ(to_perception(state).supply_current_a, 7.5);
+  EXPECT_EQ(to_perception(state).front_foot_n, (std::array<double, 2>{10, 13}));
+}
+
+TEST(BehaviourAdapter, TellsTheTrigger) {
+  Decision decision;
+  decision.trigger = Trigger::kSupplyCurrent;
+  decision.trigger_value = 7.25;
+  decision.trigger_threshold = 8.9;
+  scarab_Behaviour behaviour{};
+  fill(behaviour, decision);
+  EXPECT_EQ(behaviour.trigger, scarab_TRIGGER_SUPPLY_CURRENT);
+  EXPECT_EQ(behaviour.trigger_value, 7.25);
+  EXPECT_EQ(behaviour.trigger_threshold, 8.9);
+}
+
 }  // namespace
 }  // namespace scarab::supervisor
