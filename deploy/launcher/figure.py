@@ -16,6 +16,7 @@ from .signals import Signals
 # A log that is still being written holds what its recorder has closed: at most about a second is missing.
 _CHUNK_PATIENCE_S = 5.0
 _CHUNK_POLL_S = 0.2
+_PYTHON = "/usr/bin/python3"
 
 
 def draw_figure(places: Places, logs: Sequence[Path], trial: int, prefix: Path, signals: Signals) -> None:
@@ -34,7 +35,7 @@ def draw_figure(places: Places, logs: Sequence[Path], trial: int, prefix: Path, 
             extract("behaviour", behaviour)
         extract("robot_state", robot_state)
         script = places.root / "deploy" / "plot" / "figure7.py"
-        _run(["/usr/bin/python3", script, "--behaviour", behaviour, "--robot-state", robot_state,
+        _run([_PYTHON, script, "--behaviour", behaviour, "--robot-state", robot_state,
               "--output", prefix], None, signals)
 
 
@@ -65,6 +66,6 @@ def _run(command: list, output: "Path | None", signals: Signals) -> None:
         if code != 0:
             complaint.seek(0)
             lines = complaint.read().decode(errors="replace").strip().splitlines()
-            name = Path(command[0]).name
+            name = Path(next(word for word in command if word != _PYTHON)).name
             reason = lines[-1].removeprefix(f"{name}: ") if lines else f"exit code {code}"
             raise Failure(f"{name}: {reason}")

@@ -17,6 +17,8 @@ from .trial_lock import series_that_runs
 Command = List[str]
 Report = Callable[[Dict[str, object]], None]
 _LOCK_POLL_S = 0.2
+_DEVICE_PATIENCE_S = 10.0
+_DEVICE_POLL_S = 0.01
 _TERM_PATIENCE_S = 5.0
 
 
@@ -61,6 +63,19 @@ class Keeper:
             except OSError as error:
                 raise Failure(f"{child.name} cannot be started: {error.strerror}") from None
             self._report({"event": "started", "service": child.name})
+            if child.process.service.hardware:
+                self._wait_for_device(child)
+
+    def _wait_for_device(self, hardware: ServiceChild) -> None:
+        """The bridge would find it later, too, but only after a complaint and a pause."""
+        deadline = time.monotonic() + _DEVICE_PATIENCE_S
+        while not self._directory.device.exists():
+            self._signals.raise_if_stop_requested()
+            self._fail_if_one_ended()
+            if time.monotonic() > deadline:
+                raise Failure(f"{hardware.name} has made no device within {_DEVICE_PATIENCE_S:g} s; see its log: "
+                              f"deploy/scarab logs {hardware.name}")
+            self._signals.wait(_DEVICE_POLL_S)
 
     def _wait_ready(self) -> None:
         began = time.monotonic()

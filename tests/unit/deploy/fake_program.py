@@ -73,6 +73,11 @@ def serve():
         active.write_text("log\n")
         for number in range(2, int(order("files") or 1) + 1):
             output.with_name(f"{output.stem}-{number}.mcap").write_text("log\n")
+    if NAME == "scarab-emulator":
+        link = Path(value_of("--device"))
+        link.unlink(missing_ok=True)
+        link.symlink_to("/dev/null")
+        journal("device")
     up_file(NAME).write_text(str(os.getpid()))
     while not (stopped and not order("ignore-term")):
         if order("crash"):

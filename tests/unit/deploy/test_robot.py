@@ -84,6 +84,19 @@ class Emulated(RobotCase):
         self.assertEqual(self.events("started"), ["emulator", "logger", "robot_bridge"])
         self.assertEqual(self.events("stopped"), ["robot_bridge", "logger", "emulator"])
 
+    def test_bridge_is_started_once_the_device_is_there(self):
+        self.assertEqual(self.scarab("run", *self.words)[0], 0)
+        journal = self.journal()
+        self.assertLess(journal.index(("device", "scarab-emulator")), journal.index(("start", "scarab-robot-bridge")))
+
+    def test_emulator_that_cannot_start_says_why_and_nothing_else_is_started(self):
+        self.order("scarab-emulator", "die-at-start")
+        code, _, err = self.scarab("run", *self.words)
+        self.assertEqual(code, 1)
+        self.assertIn("emulator ended with exit code 1 while the stack was starting", err)
+        self.assertIn("cannot open the device", err)
+        self.assertEqual({name for _, name in self.journal()}, {"scarab-emulator"})
+
     def test_both_get_the_same_files_and_the_same_device(self):
         self.assertEqual(self.scarab("run", *self.words)[0], 0)
         bridge, emulator = (self.command_of(f"scarab-{name}") for name in ("robot-bridge", "emulator"))
