@@ -33,6 +33,8 @@ DynamixelRig::DynamixelRig() {
   const auto robot = config::load_robot(source_file("config/robot/beetle.yaml"));
   const auto bridge = bridge::load_config(source_file("config/robot_bridge/beetle-dynamixel.yaml"));
   config = *std::get<std::optional<dxl::Config>>(bridge.sections);
+  // The one whose control table is published, whatever the shipped robot has.
+  for (auto& [joint, servo] : config.servos) servo.model = dxl::kBuiltInModel;
   calibration = bridge::load_calibration(bridge.calibration, robot);
   board = std::make_unique<DynamixelBoard>(
       config, robot, calibration, [this](std::string_view event, const std::string& detail) {
