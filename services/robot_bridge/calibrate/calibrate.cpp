@@ -157,8 +157,8 @@ class Run {
   int work_through(const std::function<Finding(std::size_t)>& find) {
     const Joints joints = to_do();
     for (const std::size_t joint : asked_) {
-      if (!request_.again && known(joint))
-        console_.line(entry_words(joint, *known(joint)) + " (done)");
+      if (request_.again || !known(joint)) continue;
+      console_.line(entry_words(joint, *known(joint)) + " (done)");
     }
     std::size_t done = 0;
     for (const std::size_t joint : joints) {
@@ -172,8 +172,8 @@ class Run {
   }
 
   int summary(std::size_t done, std::size_t left) {
-    console_.line(fmt::format("{} joints written to {}{}.", done, record_.path().string(),
-                              left == 0 ? "" : fmt::format(", {} left undone", left)));
+    console_.line(
+        fmt::format("{} of {} joints written to {}.", done, done + left, record_.path().string()));
     return left == 0 ? runtime::kExitSuccess : runtime::kExitFailure;
   }
 

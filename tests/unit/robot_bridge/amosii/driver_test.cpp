@@ -17,6 +17,7 @@ using testing::HasSubstr;
 
 constexpr std::size_t kSetSize = 34;
 constexpr std::size_t kTl0 = 0;
+constexpr std::size_t kCl0 = 6;
 
 test::Bytes silent(const Bytes& /*reply*/) { return {}; }
 
@@ -118,6 +119,7 @@ TEST(AmosiiDriver, PositionsAreThoseCommandedAndUnknownBefore) {
   driver->write(all_at(3));
   const Readings readings = driver->read();
   EXPECT_NEAR(readings.position_rad.value[kTl0], 1, 1e-12) << "the end of the servo's travel";
+  EXPECT_NEAR(readings.position_rad.value[kCl0], 0.9, 1e-12) << "what its trim leaves of it";
   EXPECT_EQ(readings.position_rad.source[kTl0], Source::kCommanded);
 }
 

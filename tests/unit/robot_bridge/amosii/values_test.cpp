@@ -56,6 +56,13 @@ TEST(AmosiiValues, TheEndsOfTheTravelArePlusAndMinusOne) {
   }
 }
 
+TEST(AmosiiValues, TheTrimTakesAwayTheLowestCommandsOfACoxa) {
+  EXPECT_DOUBLE_EQ(effective_command(7, -1), -0.9);
+  EXPECT_DOUBLE_EQ(effective_command(7, 0.4), 0.4);
+  EXPECT_DOUBLE_EQ(effective_command(7, 1), 1);
+  EXPECT_DOUBLE_EQ(effective_command(0, -1), -1);
+}
+
 TEST(AmosiiValues, FeetAreScaledAsPublished) {
   // low and high of L0, L1, L2, R0, R1, R2
   const int ends[6][2] = {{40, 100}, {30, 130}, {40, 110}, {15, 90}, {60, 120}, {30, 110}};
