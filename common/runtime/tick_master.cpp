@@ -41,6 +41,7 @@ TickMaster::TickMaster(bus::Participant& participant, const ServiceOptions& serv
       sensors_(participant, bus::kRobotSensors),
       status_(participant, self),
       shutdown_(guard_),
+      streams_(options.samples_per_tick),
       pacer_(options.tick_period),
       timing_(options.pace == Pace::kRealTime) {
   wait_set_.attach(trials_);
@@ -161,9 +162,8 @@ scarab_TrialPhase TickMaster::publish_state(bool between_ticks) {
     states_.write(state);
   }
   body_.publish_own(state.header);
-  // In lockstep nobody is in a hurry for the samples between ticks: they leave in a few packets
-  // while the chain works on the tick.
-  if (!between_ticks || real_time()) flush();
+  const bool due = streams_.due(tick_, Clock::now()) || body_.verdict();
+  if (real_time() || (!between_ticks && due)) flush();
   if (!between_ticks) {
     status_.set_progress(state.header);
     report_gate();
@@ -177,6 +177,7 @@ scarab_TrialPhase TickMaster::publish_state(bool between_ticks) {
 void TickMaster::flush() {
   sensors_.flush();
   body_.flush_own();
+  streams_.sent(Clock::now());
 }
 
 void TickMaster::finish() {
@@ -204,6 +205,7 @@ void TickMaster::fail_trial(const std::string& why) {
 }
 
 void TickMaster::end_trial() {
+  flush();
   guarded_.end_trial();
   moving_ = false;
   stage_ = Stage::kIdle;

@@ -83,6 +83,7 @@ void TickMaster::await_command() {
     wait(options_.report_silence);
     const auto silent = Clock::now() - since;
     if (answered_ || silent < options_.report_silence) continue;
+    flush();
     const std::string what = who_is_silent() + " has not answered tick " + std::to_string(tick_);
     status_.set_health(scarab_HEALTH_WAITING, what);
     if (silent >= options_.give_up) {
@@ -123,12 +124,10 @@ std::optional<bus::Peer> TickMaster::logger_behind(std::uint32_t lead) const {
 }
 
 /// Keeps the lead over every expected logger small enough that nothing it has not received yet is
-/// overwritten in a writer's history. Two ticks less: the running one, and the last one's samples
-/// that leave with it.
+/// overwritten in a writer's history.
 void TickMaster::await_logger() {
   if (options_.pace != Pace::kLockstep) return;
-  const std::uint32_t kept = std::min(bus::kDepth, bus::kStreamDepth / options_.samples_per_tick);
-  const std::uint32_t lead = std::max(3U, kept) - 2;
+  const std::uint32_t lead = streams_.lead();
   const auto since = Clock::now();
   while (const auto logger = logger_behind(lead)) {
     wait(kPoll);
