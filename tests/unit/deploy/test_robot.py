@@ -171,6 +171,18 @@ class Emulated(RobotCase):
         self.assertIn("robot_bridge/0 says nothing", out)
         self.assertNotIn("emulator/0", out)
 
+    def test_row_of_a_simulated_trial_is_run_with_a_note(self):
+        row = {"index": 4, "strategy": "soft+hard", "goal": "across", "height_m": 0.08, "distance_m": 1.46,
+               "time_limit_s": 60, "seed": 9, "perturb_position_m": 0.02, "perturb_yaw_rad": 0.05,
+               "perturb_friction": 0.1, "friction_scale": 1, "object_mass_kg": 0, "object_diameter_m": 0,
+               "perturb_cpg_phase": 1, "configuration": "01234567"}
+        file = self.folder / "results.csv"
+        file.write_text(",".join(row) + "\n" + ",".join(map(str, row.values())) + "\n")
+        code, _, err = self.scarab("run", *self.words, "--row", f"{file}:4")
+        self.assertEqual(code, 0, err)
+        self.assertIn("the row was run with a simulated plant, which profile 'robot' does not start here", err)
+        self.assertEqual(self.command_of("scarab-experiment")["--seed"], "9")
+
     def test_run_refuses_another_robot_than_that_of_the_stack_that_is_up(self):
         self.assertEqual(self.scarab("up", *self.words)[0], 0)
         for words in (["--driver", "amosii"], ["--device", "/dev/x"], ["--emulated"]):

@@ -1,4 +1,4 @@
-"""What `scarab log` and `scarab topic` understand beyond their tools: the newest run's log, and slips."""
+"""What `scarab log`, `topic` and `emulator` understand beyond their tools: the newest run, and slips."""
 
 import os
 import subprocess
@@ -42,7 +42,7 @@ class ToolWords(unittest.TestCase):
         self.addCleanup(room.cleanup)
         self.room = Path(room.name).resolve()
         (self.room / "bin").mkdir()
-        for name in ("scarab-log", "scarab-topic"):
+        for name in ("scarab-log", "scarab-topic", "scarab-emulator"):
             program = self.room / "bin" / name
             program.write_text(LOG)
             program.chmod(0o755)
@@ -101,6 +101,15 @@ class ToolWords(unittest.TestCase):
         self.run_with("2026-01-01-1", "trial.mcap")
         (self.room / "latest").write_text("")
         self.assertEqual(self.scarab("log", "info", "latest")[1], ["info", "latest"])
+
+    def test_emulator_that_is_told_is_that_of_the_newest_stack(self):
+        stack = self.run_with("2026-01-01-1")
+        self.assertEqual(self.scarab("emulator", "tell", "latest", "lose", "0.1")[:2],
+                         (3, ["tell", str(stack), "lose", "0.1"]))
+        trials = self.run_with("2026-01-01-2")
+        (trials / "stack").symlink_to(Path("..") / stack.name)
+        self.assertEqual(self.scarab("emulator", "tell", "latest", "clear")[:2], (3, ["tell", str(stack), "clear"]))
+        self.assertEqual(self.scarab("emulator", "tell", "pipe", "clear")[1], ["tell", "pipe", "clear"])
 
     def test_run_without_a_log_is_said(self):
         self.refused("there is no log in runs/latest", 1, "log", "info", "latest")
