@@ -55,7 +55,7 @@ def all_verbs() -> Verbs:
     verbs.group("the robot, while a trial runs")
     operator_verbs.add_verbs(verbs)
     verbs.group("a real robot, in place of the simulated one")
-    verbs.add_tool("calibrate", "scarab-calibrate", "find a robot's zero positions, and write its calibration file")
+    verbs.add_tool("calibrate", "scarab-calibrate", "find how a robot's servos sit in its joints; write its calibration file")
     verbs.add_tool("emulator", "scarab-emulator", "emulate a robot's boards; tell the emulator to misbehave",
                    read=emulator_words)
     verbs.group("looking on, and files")

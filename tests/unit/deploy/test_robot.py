@@ -252,7 +252,8 @@ class Doctor(RobotCase):
     def test_port(self):
         port = self.a_port()
         self.configure(port)
-        self.assertEqual(self.finding(*self.words), (0, f"ok device {port} is there, may be opened, and is free no problems"))
+        self.assertEqual(self.finding(*self.words),
+                         (0, f"ok device {port} is there, may be opened, and is free no problems"))
         held = os.open(port, os.O_RDWR | os.O_NOCTTY)
         code, text = self.finding(*self.words)
         os.close(held)
@@ -281,7 +282,8 @@ class Refusals(RobotCase):
         self.assertIn("contradict each other", self.refused("up", *self.words, "--emulated", "--device", "/dev/x"))
 
     def test_several_emulators(self):
-        self.assertIn("there can be just one", self.refused("up", *self.words, "--emulated", "--replicas", "emulator=2"))
+        self.assertIn("there can be just one",
+                      self.refused("up", *self.words, "--emulated", "--replicas", "emulator=2"))
 
     def test_emulator_is_not_there_to_be_configured_without_its_option(self):
         self.assertIn("starts no service 'emulator'",
@@ -331,8 +333,8 @@ class Drivers(unittest.TestCase):
 
     def test_unknown_one_is_named_with_those_that_there_are(self):
         for changes, reason in (
-                ({"driver": "dynamixl"}, r"unknown driver 'dynamixl' \(did you mean 'dynamixel'\?\); for robot 'beetle' "
-                                         "config/robot_bridge has amosii, dynamixel$"),
+                ({"driver": "dynamixl"}, r"unknown driver 'dynamixl' \(did you mean 'dynamixel'\?\); "
+                                         "for robot 'beetle' config/robot_bridge has amosii, dynamixel$"),
                 ({"robot": "ant", "driver": "amosii"}, "for robot 'ant' config/robot_bridge has none"),
                 ({"robot": "ant"}, "robot 'ant', driver 'amosii' has no config/robot_bridge/ant-amosii.yaml, which "
                                    "service robot_bridge reads")):
@@ -361,7 +363,8 @@ class Readiness(RobotCase):
         code, _, err = self.scarab("up", *self.words)
         self.assertEqual(code, 1)
         self.assertRegex(err, r"\Ascarab: waits: robot_bridge/0 is missing\n"
-                              r"scarab: the stack is not ready after \d\.\d s:\na table\nscarab-status: premotor is missing\n\Z")
+                              r"scarab: the stack is not ready after \d\.\d s:\na table\n"
+                              r"scarab-status: premotor is missing\n\Z")
 
     def test_interrupted_wait_leaves_nothing(self):
         self.order("scarab-status", "hold")
