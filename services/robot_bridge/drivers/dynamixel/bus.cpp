@@ -136,17 +136,21 @@ Clock::duration Bus::time_of(std::size_t bytes) const {
 }
 
 DeviceError Bus::error(const Question& question, std::uint64_t faults) const {
-  const std::string attempts = std::to_string(options_.retries + 1) + " attempts";
+  const std::string attempts = " (attempts: " + std::to_string(options_.retries + 1) + ")";
   if (const auto& refusal = question.refusal()) {
     return DeviceError(path() + ": " + name_of(refusal->id) + " refuses instruction " +
                        std::to_string(static_cast<int>(question.instruction().instruction)) + ": " +
                        dynamixel::name_of(refusal->error));
   }
-  const std::string who = name_of(question.first_silent(parser_.pending()));
-  if (faults > 0) {
-    return DeviceError(path() + ": the answers of " + who + " arrive broken (" + attempts + ")");
+  const Question::Silence silence = question.silence(parser_.pending(), faults > 0);
+  const std::string who = name_of(silence.first);
+  if (silence.broken) {
+    return DeviceError(path() + ": answers arrive broken, first that of " + who + attempts);
   }
-  return DeviceError(path() + ": " + who + " does not answer (" + attempts + ")");
+  if (silence.of_all) {
+    return DeviceError(path() + ": nobody answers, first asked was " + who + attempts);
+  }
+  return DeviceError(path() + ": " + who + " does not answer" + attempts);
 }
 
 serial::SerialPort& Bus::port() {

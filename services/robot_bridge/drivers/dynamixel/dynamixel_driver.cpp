@@ -43,7 +43,9 @@ DynamixelDriver::DynamixelDriver(const Config& config, std::string port, std::ve
       bus_(bus_options(config, port, servos)),
       servos_(bus_, std::move(servos), config.sync_read),
       watchdog_counts_(
-          watchdog_counts(config.bus_watchdog_s, servos_.servos().front().model.bus_watchdog)) {}
+          watchdog_counts(config.bus_watchdog_s, servos_.servos().front().model.bus_watchdog)),
+      watchdog_s_(static_cast<double>(watchdog_counts_) *
+                  servos_.servos().front().model.bus_watchdog.unit) {}
 
 DynamixelDriver::~DynamixelDriver() { close(); }
 
@@ -132,8 +134,7 @@ Capabilities DynamixelDriver::capabilities() const {
   c.foot_force = config_.foot_force.has_value();
   c.imu = config_.imu.has_value();
   c.temperature = c.joint_current = c.supply_current = c.torque_switch = true;
-  c.device_timeout_s =
-      static_cast<double>(watchdog_counts_) * servos_.servos().front().model.bus_watchdog.unit;
+  c.device_timeout_s = watchdog_s_;
   c.link = bus_.path() + " at " + std::to_string(config_.baud) + " baud";
   return c;
 }
@@ -161,7 +162,13 @@ std::vector<std::pair<std::string, std::uint64_t>> DynamixelDriver::counters() c
 
 std::optional<CrashFrame> DynamixelDriver::crash_frame() const {
   if (!bus_.is_open()) return std::nullopt;
-  return CrashFrame{bus_.fd(), switch_off_frame(servos_)};
+  // Whoever writes it cannot wait for the line: one may meet an answer that is under way.
+  CrashFrame frame{bus_.fd(), {}};
+  const Bytes once = switch_off_frame(servos_);
+  for (int i = 0; i < kOffFrames; ++i) {
+    frame.bytes.insert(frame.bytes.end(), once.begin(), once.end());
+  }
+  return frame;
 }
 
 /// Ended at what the servo takes: it would refuse more, and nobody would hear of it.
@@ -192,8 +199,7 @@ void DynamixelDriver::check_reach(const Counts& goals, const robot::JointVector&
 void DynamixelDriver::check_watchdog() {
   const double silent_s =
       std::chrono::duration<double>(serial::Clock::now() - bus_.told_at()).count();
-  const double watchdog_s = *capabilities().device_timeout_s;
-  if (!powered_ || silent_s < watchdog_s) return;
+  if (!powered_ || silent_s < watchdog_s_) return;
   const Counts states = servos_.read(&ServoModel::bus_watchdog);
   for (std::size_t i = 0; i < servos_.size(); ++i) {
     if (states[i] != kBusWatchdogTripped) continue;

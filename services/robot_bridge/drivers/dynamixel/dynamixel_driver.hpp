@@ -43,6 +43,7 @@ class DynamixelDriver final : public Driver {
   Bus bus_;
   ServoGroup servos_;
   std::int64_t watchdog_counts_;
+  double watchdog_s_;                  ///< what those counts mean
   std::vector<ServoLimits> limits_;    ///< since open()
   std::optional<ServoHealth> health_;  ///< since open()
   Counts positions_;                   ///< measured last

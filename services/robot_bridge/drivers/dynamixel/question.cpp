@@ -79,10 +79,15 @@ std::vector<Status> Question::answers() const {
   return statuses;
 }
 
-std::uint8_t Question::first_silent(ByteView begun) const {
-  if (!is_together()) return missing().front();
+Question::Silence Question::silence(ByteView begun, bool faults) const {
+  if (!is_together()) {
+    const std::vector<std::uint8_t> ids = missing();
+    return {ids.front(), !faults && ids.size() > 1 && ids.size() == ids_.size(), faults};
+  }
   const std::size_t answered = answered_so_far(begun, data_bytes_).size();
-  return ids_[std::min(answered, ids_.size() - 1)];
+  const bool more = answered > 0 && begun.size() > fast_status_bytes(answered, data_bytes_);
+  return {ids_[std::min(answered, ids_.size() - 1)], begun.empty() && !faults && ids_.size() > 1,
+          faults || more};
 }
 
 }  // namespace scarab::bridge::dynamixel

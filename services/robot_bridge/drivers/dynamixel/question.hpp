@@ -40,8 +40,15 @@ class Question {
   /// The last answer that was an error number in place of what was asked.
   [[nodiscard]] const std::optional<Status>& refusal() const { return refusal_; }
 
-  /// The first one that is silent, as far as the beginning of a joint answer tells.
-  [[nodiscard]] std::uint8_t first_silent(ByteView begun) const;
+  /// What is known of those who have not answered.
+  struct Silence {
+    std::uint8_t first = 0;  ///< the first one in the order
+    bool of_all = false;     ///< of several, and nobody has said a word
+    bool broken = false;     ///< they have spoken, but not in a way that could be understood
+  };
+  /// `begun`: what has come of an answer that never became complete. `faults`: something has come
+  /// that was refused.
+  [[nodiscard]] Silence silence(ByteView begun, bool faults) const;
 
  private:
   bool take(const Status& status);

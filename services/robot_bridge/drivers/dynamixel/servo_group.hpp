@@ -27,6 +27,7 @@ class ServoGroup {
   [[nodiscard]] const std::vector<Servo>& servos() const { return servos_; }
   [[nodiscard]] std::size_t size() const { return servos_.size(); }
   [[nodiscard]] Bus& bus() { return bus_; }
+  [[nodiscard]] SyncReadKind kind() const { return kind_; }
   /// "joint TL0 (ID 3)".
   [[nodiscard]] std::string name_of(std::size_t index) const {
     return bus_.name_of(servos_[index].id);

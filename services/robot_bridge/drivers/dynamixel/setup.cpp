@@ -11,6 +11,10 @@ namespace {
 constexpr int kPings = 2;  // of each device
 constexpr std::size_t kPingBytes = 3;
 
+/// Of the built-in model (e-Manual, Protocol 2.0, "Fast Bulk Read", supported devices: X430
+/// series).
+constexpr int kFastSyncReadFirmware = 45;
+
 /// Bits of the drive mode with which a servo does something else than it is told: turns the other
 /// way (calibration's part), or switches its torque on by itself when it gets a goal (e-Manual,
 /// XM430-W350, "Drive Mode").
@@ -23,7 +27,30 @@ std::optional<PingAnswer> find(Bus& bus, std::uint8_t id) {
   return std::nullopt;
 }
 
+/// Who is on the bus.
+struct Census {
+  std::size_t found = 0;
+  std::string silent;  ///< names, as they go into a message
+  std::string others;  ///< who is not what it should be, and why
+};
+
 void add(std::string& list, const std::string& text) { list += (list.empty() ? "" : ", ") + text; }
+
+void check_servo(ServoGroup& servos, std::size_t index, const PingAnswer& answer, Census& census) {
+  const int wanted = servos.servos()[index].model.model_number;
+  const bool is_built_in = answer.model_number == ServoModel{}.model_number;
+  if (answer.model_number != wanted) {
+    add(census.others, servos.name_of(index) + " is a model " +
+                           std::to_string(static_cast<int>(answer.model_number)) + " in place of " +
+                           std::to_string(wanted));
+  } else if (is_built_in && servos.kind() == SyncReadKind::kFast &&
+             answer.firmware < kFastSyncReadFirmware) {
+    add(census.others, servos.name_of(index) + " has firmware " +
+                           std::to_string(static_cast<int>(answer.firmware)) +
+                           ", fast sync reads need " + std::to_string(kFastSyncReadFirmware) +
+                           " (or `sync_read: plain`)");
+  }
+}
 
 /// Writes it to the servos that have another value, one by one: each confirms it.
 void settle(ServoGroup& servos, std::size_t index, ItemOf item, std::int64_t wanted) {
@@ -45,36 +72,29 @@ void check_drive_mode(ServoGroup& servos) {
 
 void find_devices(ServoGroup& servos, const std::vector<std::uint8_t>& boards) {
   Bus& bus = servos.bus();
-  std::string silent;
-  std::string others;
-  std::size_t found = 0;
+  Census census;
   for (std::size_t i = 0; i < servos.size(); ++i) {
     const auto answer = find(bus, servos.servos()[i].id);
-    const int wanted = servos.servos()[i].model.model_number;
-    if (!answer) {
-      add(silent, servos.name_of(i));
-      continue;
+    if (answer) {
+      ++census.found;
+      check_servo(servos, i, *answer, census);
+    } else {
+      add(census.silent, servos.name_of(i));
     }
-    ++found;
-    if (answer->model_number == wanted) continue;
-    add(others, servos.name_of(i) + " is a model " +
-                    std::to_string(static_cast<int>(answer->model_number)) + " in place of " +
-                    std::to_string(wanted));
   }
   for (const std::uint8_t id : boards) {
     if (find(bus, id)) {
-      ++found;
+      ++census.found;
     } else {
-      add(silent, bus.name_of(id));
+      add(census.silent, bus.name_of(id));
     }
   }
-  if (found == 0) {
+  if (census.found == 0) {
     throw DeviceError(bus.path() +
-                      ": no device answers; is the power on, and is it their baud "
-                      "rate?");
+                      ": no device answers; is the power on, and is it their baud rate?");
   }
-  if (!silent.empty()) throw DeviceError(bus.path() + ": missing: " + silent);
-  if (!others.empty()) throw DeviceError(bus.path() + ": " + others);
+  if (!census.silent.empty()) throw DeviceError(bus.path() + ": missing: " + census.silent);
+  if (!census.others.empty()) throw DeviceError(bus.path() + ": " + census.others);
 }
 
 void prepare(ServoGroup& servos) {

@@ -130,7 +130,7 @@ TEST(Bus, NamesTheFirstThatIsSilentInAJointAnswer) {
     error = e.what();
   }
   servos.join();
-  EXPECT_EQ(error, line.path() + ": joint CR1 (ID 7) does not answer (1 attempts)");
+  EXPECT_EQ(error, line.path() + ": joint CR1 (ID 7) does not answer (attempts: 1)");
 }
 
 TEST(Bus, AnAdapterMayEchoWhatIsSent) {

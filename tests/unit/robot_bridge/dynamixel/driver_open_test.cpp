@@ -62,6 +62,19 @@ TEST(DynamixelOpen, NamesTheModelThatAnswersInstead) {
             bus.path() + ": joint TL1 (ID 2) is a model 1060 in place of 1020");
 }
 
+TEST(DynamixelOpen, AnOldFirmwareCannotBeReadTogether) {
+  auto devices = DriverRig::devices();
+  devices[3].firmware = 44;
+  ScriptedBus bus(devices);
+  DriverRig rig;
+  EXPECT_EQ(device_error([&] { rig.make_driver(bus)->open(); }),
+            bus.path() +
+                ": joint TL2 (ID 3) has firmware 44, fast sync reads need 45 (or "
+                "`sync_read: plain`)");
+  rig.config.sync_read = SyncReadKind::kPlain;
+  EXPECT_NO_THROW(rig.make_driver(bus)->open());
+}
+
 TEST(DynamixelOpen, ASilentBusIsOneSentence) {
   ScriptedBus bus({});
   DriverRig rig;

@@ -107,7 +107,7 @@ TEST(DynamixelRead, ASilentServoIsNamedWithinTheBound) {
     bus.change(2, [](ScriptedDevice& device) { device.silent = true; });
     const Clock::time_point begun = Clock::now();
     EXPECT_EQ(device_error([&] { driver->read(); }),
-              bus.path() + ": joint TL1 (ID 2) does not answer (3 attempts)");
+              bus.path() + ": joint TL1 (ID 2) does not answer (attempts: 3)");
     const auto taken = Clock::now() - begun;
     EXPECT_GE(taken, std::chrono::milliseconds(150));  // each attempt has its time
     EXPECT_LT(taken, std::chrono::milliseconds(300));
@@ -115,6 +115,26 @@ TEST(DynamixelRead, ASilentServoIsNamedWithinTheBound) {
 
     bus.change(2, [](ScriptedDevice& device) { device.silent = false; });
     EXPECT_NO_THROW(driver->read());  // once it answers again, all is well
+  }
+}
+
+TEST(DynamixelRead, LostPowerAndALineOfNoiseHaveOtherSentences) {
+  for (const SyncReadKind kind : {SyncReadKind::kPlain, SyncReadKind::kFast}) {
+    ScriptedBus bus(moving_devices());
+    DriverRig rig;
+    rig.config.sync_read = kind;
+    rig.config.reply_timeout_s = 0.02;
+    const auto driver = rig.make_driver(bus);
+    driver->open();
+    bus.script([](const Packet&, const Bytes&) { return Bytes{}; });
+    EXPECT_EQ(device_error([&] { driver->read(); }),
+              bus.path() + ": nobody answers, first asked was joint TL0 (ID 1) (attempts: 3)");
+    bus.script([](const Packet&, Bytes answer) {
+      if (answer.size() > 12) answer[12] ^= 0xFF;
+      return answer;
+    });
+    EXPECT_EQ(device_error([&] { driver->read(); }),
+              bus.path() + ": answers arrive broken, first that of joint TL0 (ID 1) (attempts: 3)");
   }
 }
 

@@ -154,7 +154,7 @@ Bytes ScriptedBus::reply(const Packet& instruction) {
 Bytes ScriptedBus::reply_to_one(ScriptedDevice& device, const Packet& instruction) {
   Status status = status_of(instruction.id, device);
   if (instruction.is(Instruction::kPing)) {
-    status.data = to_data({device.model_number, 46});
+    status.data = to_data({device.model_number, device.firmware});
   } else if (const auto region = as_read(instruction)) {
     status.data = part(device, *region);
   } else if (const auto request = as_write(instruction)) {

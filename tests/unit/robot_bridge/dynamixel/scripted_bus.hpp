@@ -20,6 +20,7 @@ namespace scarab::bridge::dynamixel {
 /// hardware error.
 struct ScriptedDevice {
   std::uint16_t model_number = 1020;
+  std::uint8_t firmware = 45;
   std::array<std::uint8_t, 256> memory{};
   bool silent = false;
   int lost_writes = 0;  ///< so many more do not arrive
