@@ -2,6 +2,7 @@
 
 #include <fcntl.h>
 
+#include <algorithm>
 #include <cerrno>
 #include <cstdio>
 #include <map>
@@ -27,6 +28,56 @@ std::map<std::uint16_t, std::uint16_t> copy_channels(const Summary& from, Writer
   return channel_ids;
 }
 
+/// Which numbers a channel's messages have. Their order in a file is that of time, which is not
+/// always that of their numbers.
+struct Numbers {
+  std::uint64_t count = 0;
+  std::uint32_t least = UINT32_MAX;
+  std::uint32_t greatest = 0;
+
+  void note(std::uint32_t sequence) {
+    ++count;
+    least = std::min(least, sequence);
+    greatest = std::max(greatest, sequence);
+  }
+  [[nodiscard]] std::uint64_t missing() const {
+    const std::uint64_t numbers = std::uint64_t{greatest} - least + 1;
+    return numbers > count ? numbers - count : 0;
+  }
+};
+
+/// The project's recorder numbers what it takes of a topic; others number as they like, or not.
+bool numbers_tell(const Reader& reader) {
+  const auto& metadata = reader.summary().metadata;
+  return std::any_of(metadata.begin(), metadata.end(),
+                     [](const MetadataIndex& index) { return index.name == "scarab.recording"; });
+}
+
+std::map<std::string, std::uint64_t> missing_of(const Reader& reader,
+                                                const std::map<std::uint16_t, Numbers>& numbers) {
+  std::map<std::string, std::uint64_t> missing;
+  if (!numbers_tell(reader)) return missing;
+  for (const auto& [id, seen] : numbers) {
+    const std::uint64_t count = seen.missing();
+    if (count > 0) missing[reader.summary().channels.at(id).topic] += count;
+  }
+  return missing;
+}
+
+Metadata recovered_metadata(const Reader& reader, const Recovery& result) {
+  Metadata metadata{"scarab.recovered",
+                    {{"from", reader.path().filename().string()},
+                     {"bytes_lost", std::to_string(result.bytes_lost)},
+                     {"damage", result.damage}}};
+  std::uint64_t missing = 0;
+  for (const auto& [topic, count] : result.missing) {
+    metadata.entries["missing." + topic] = std::to_string(count);
+    missing += count;
+  }
+  metadata.entries["missing"] = std::to_string(missing);
+  return metadata;
+}
+
 /// Copies everything readable into the writer, and closes it.
 Recovery copy(const Reader& reader, Writer& writer) {
   for (const AttachmentIndex& index : reader.summary().attachments) {
@@ -36,17 +87,17 @@ Recovery copy(const Reader& reader, Writer& writer) {
     writer.add_metadata(reader.metadata(index));
   }
   const auto channel_ids = copy_channels(reader.summary(), writer);
+  std::map<std::uint16_t, Numbers> numbers;
   reader.for_each([&](const Channel& channel, const Message& message) {
+    numbers[channel.id].note(message.sequence);
     Message moved = message;
     moved.channel_id = channel_ids.at(channel.id);
     writer.write(moved);
   });
-  Recovery result{writer.statistics(), reader.bytes_lost(), reader.damaged(), reader.damage()};
+  Recovery result{writer.statistics(), reader.bytes_lost(), reader.damaged(), reader.damage(), {}};
   result.kept.chunk_count = reader.summary().statistics.chunk_count;
-  writer.add_metadata({"scarab.recovered",
-                       {{"from", reader.path().filename().string()},
-                        {"bytes_lost", std::to_string(result.bytes_lost)},
-                        {"damage", result.damage}}});
+  result.missing = missing_of(reader, numbers);
+  writer.add_metadata(recovered_metadata(reader, result));
   writer.close();
   return result;
 }

@@ -85,6 +85,10 @@ std::string to_string(const std::filesystem::path& cut, const Mending& mending) 
     text += "\n  left out: " + counted(recovery.damaged, "damaged record") +
             ", the first: " + recovery.damage;
   }
+  for (const auto& [topic, count] : recovery.missing) {
+    text += "\n  missing: " + counted(count, "message") + " of " + topic +
+            ", by the gaps in their numbers";
+  }
   text += mending.removed ? "\n  removed: " : "\n  kept as it was: ";
   return text + cut.string();
 }

@@ -175,6 +175,40 @@ TEST(Recover, MakesAClosedFileOfAnActiveOne) {
   EXPECT_EQ(reader.summary().metadata.at(1).name, "scarab.recovered");
 }
 
+/// A log of the project's recorder that numbers what it has taken of a topic, and of topic b has
+/// dropped four in two places.
+void write_log_with_gaps(const std::filesystem::path& path, const std::string& recorder) {
+  SampleLog log(path, {});
+  log.writer().add_metadata({recorder, {}});
+  std::vector<Logged> messages = make_messages(30);
+  for (std::size_t i = 0; i < messages.size(); ++i) {
+    const auto number = static_cast<std::uint32_t>(i / 3) + 5;
+    const bool is_b = messages[i].topic == "b";
+    messages[i].sequence = is_b && number > 7 ? number + (number > 10 ? 4 : 1) : number;
+  }
+  std::swap(messages[3].sequence, messages[6].sequence);  // not in the order of time
+  log.write(messages);
+  log.writer().close_chunk();
+}
+
+TEST(Recover, CountsTheGapsInTheNumbersOfARecording) {
+  TemporaryFolder folder;
+  write_log_with_gaps(folder / "x.mcap", "scarab.recording");
+  const Recovery recovery = recover(folder / "x.mcap.active", folder / "y.mcap");
+  EXPECT_EQ(recovery.missing, (std::map<std::string, std::uint64_t>{{"b", 4}}));
+  const Reader reader(folder / "y.mcap");
+  const Metadata said = reader.metadata(reader.summary().metadata.at(1));
+  EXPECT_EQ(said.entries.at("missing"), "4");
+  EXPECT_EQ(said.entries.at("missing.b"), "4");
+  EXPECT_EQ(said.entries.count("missing.a"), 0U);
+}
+
+TEST(Recover, MakesNothingOfTheNumbersOfOthers) {
+  TemporaryFolder folder;
+  write_log_with_gaps(folder / "x.mcap", "somebody's recording");
+  EXPECT_TRUE(recover(folder / "x.mcap.active", folder / "y.mcap").missing.empty());
+}
+
 TEST(NotAnMcapFile, IsSaidSo) {
   TemporaryFolder folder;
   write_file(folder / "text", std::string_view("hello, this is no MCAP file at all"));
