@@ -66,9 +66,9 @@ TEST(DynamixelActivate, ALostWriteIsWrittenAgain) {
   driver->open();
   bus.change(3, [](ScriptedDevice& device) { device.lost_writes = 2; });  // watchdog and goal
   robot::JointVector hold = standing();
-  hold[2] += 20 * kRadPerTick;
+  hold[2] += 60 * kRadPerTick;
   driver->activate(hold);
-  EXPECT_EQ(bus.device(3).get(116, 4), 2068);
+  EXPECT_EQ(bus.device(3).get(116, 4), 2108);
 }
 
 TEST(DynamixelActivate, WhatWasSwitchedOnIsSwitchedOffWhenOneRefuses) {
