@@ -3,13 +3,13 @@
 #include <poll.h>
 #include <spdlog/spdlog.h>
 #include <sys/prctl.h>
-#include <sys/signalfd.h>
-#include <unistd.h>
 
 #include <algorithm>
 #include <array>
 #include <chrono>
-#include <csignal>
+#include <cmath>
+#include <memory>
+#include <optional>
 #include <stdexcept>
 #include <string>
 
@@ -22,6 +22,7 @@
 #include "tools/emulator/faults/fault_plan.hpp"
 #include "tools/emulator/faults/fault_text.hpp"
 #include "tools/emulator/journal.hpp"
+#include "tools/emulator/stop_signals.hpp"
 #include "tools/emulator/wire/wire.hpp"
 #include "tools/emulator/world/world.hpp"
 
@@ -31,32 +32,12 @@ namespace {
 constexpr double kNsPerS = 1e9;
 /// The bus is looked at no less often than this.
 constexpr std::int64_t kLongestSleepNs = 5'000'000;
+constexpr std::int64_t kBetweenReportsNs = 1'000'000'000;  // of a computer that is too slow
 
 std::int64_t now_ns() {
   const auto now = std::chrono::steady_clock::now().time_since_epoch();
   return std::chrono::duration_cast<std::chrono::nanoseconds>(now).count();
 }
-
-/// SIGINT and SIGTERM as something to poll.
-class StopSignals {
- public:
-  StopSignals() {
-    sigset_t set;
-    sigemptyset(&set);
-    sigaddset(&set, SIGINT);
-    sigaddset(&set, SIGTERM);
-    fd_ = ::signalfd(-1, &set, SFD_CLOEXEC | SFD_NONBLOCK);
-    if (fd_ < 0) throw std::runtime_error("no signalfd");
-  }
-  ~StopSignals() { ::close(fd_); }
-  StopSignals(const StopSignals&) = delete;
-  StopSignals& operator=(const StopSignals&) = delete;
-
-  [[nodiscard]] int fd() const { return fd_; }
-
- private:
-  int fd_;
-};
 
 class Emulator {
  public:
@@ -70,10 +51,9 @@ class Emulator {
   void update_faults(std::int64_t now);
   void move_world(std::int64_t now);
   void publish();
-  void report_lateness();
+  void report_lateness(std::int64_t now);
   bool sleep();  // false: a signal came
 
-  const Configuration& configuration_;
   Journal journal_;
   std::unique_ptr<Board> board_;
   World world_;
@@ -86,11 +66,11 @@ class Emulator {
   std::int64_t control_period_ns_;
   std::uint64_t power_ups_ = 0;  // when the world was built
   std::uint64_t reported_lateness_ = 0;
+  std::int64_t next_report_ns_ = 0;
 };
 
 Emulator::Emulator(const EmulatorOptions& options, const Configuration& configuration)
-    : configuration_(configuration),
-      journal_(options.journal),
+    : journal_(options.journal),
       board_(make_board(configuration.bridge, configuration.robot, configuration.calibration,
                         [this](std::string_view event, const std::string& detail) {
                           journal_.note(event, detail);
@@ -127,18 +107,19 @@ void Emulator::run() {
 }
 
 void Emulator::pass(std::int64_t now) {
-  take_trial();
   take_orders(now);
   update_faults(now);
+  take_trial();
   move_world(now);
   wire_.carry_in(now, *board_);
-  board_->tick(now);
+  // What has been waiting for this computer is not too late for a watchdog.
+  if (!wire_.is_carrying_in()) board_->tick(now);
   if (!world_.runs() && board_->power_ups() != power_ups_) {
     world_.start(now);
     journal_.note("world_runs", "");
   }
   wire_.carry_out(now);
-  report_lateness();
+  report_lateness(now);
   journal_.flush();
 }
 
@@ -218,10 +199,11 @@ void Emulator::publish() {
   }
 }
 
-void Emulator::report_lateness() {
+void Emulator::report_lateness(std::int64_t now) {
   const Lateness& late = world_.lateness();
-  if (late.count == reported_lateness_) return;
+  if (late.count == reported_lateness_ || now < next_report_ns_) return;
   reported_lateness_ = late.count;
+  next_report_ns_ = now + kBetweenReportsNs;
   journal_.note("late", std::to_string(late.lost_ns));
   spdlog::warn("this computer was too slow: the world has left out {:.3f} s so far, in {} places",
                static_cast<double>(late.lost_ns) / kNsPerS, late.count);
@@ -229,7 +211,8 @@ void Emulator::report_lateness() {
 
 bool Emulator::sleep() {
   const std::int64_t now = now_ns();
-  std::int64_t wake_ns = std::min(now + kLongestSleepNs, board_->next_tick_ns());
+  std::int64_t wake_ns = now + kLongestSleepNs;
+  if (!wire_.is_carrying_in()) wake_ns = std::min(wake_ns, board_->next_tick_ns());
   if (world_.runs()) wake_ns = std::min(wake_ns, world_.next_step_ns());
   if (const auto wire_ns = wire_.next_ns()) wake_ns = std::min(wake_ns, *wire_ns);
   const std::int64_t left_ns = std::max<std::int64_t>(0, wake_ns - now);

@@ -27,6 +27,8 @@ class Wire {
 
   /// Takes what somebody has written and hands the board all that has arrived by `now_ns`.
   void carry_in(std::int64_t now_ns, Board& board);
+  /// Bytes for the board are under way.
+  [[nodiscard]] bool is_carrying_in() const { return in_.frame_end_ns().has_value(); }
   /// Hands somebody the bytes of the board that have arrived by `now_ns`.
   void carry_out(std::int64_t now_ns);
   /// When one of the two has something to do.
