@@ -1,5 +1,6 @@
 #include "tests/support/programs.hpp"
 
+#include <algorithm>
 #include <stdexcept>
 
 #include "tests/support/files.hpp"
@@ -25,11 +26,24 @@ Arguments shipped_files(const std::string& service, const std::string& robot) {
     return source_file("config/" + folder + "/" + robot + ".yaml");
   };
   Arguments arguments;
-  if (service == "plant" || service == "premotor") append(arguments, {"--robot", file("robot")});
+  const bool of_bridge = service == "robot_bridge" || service == "emulator";
+  if (service == "plant" || service == "premotor" || of_bridge) {
+    append(arguments, {"--robot", file("robot")});
+  }
+  if (of_bridge) {
+    append(arguments,
+           {"--config", source_file("config/robot_bridge/" + robot + "-dynamixel.yaml")});
+  }
+  if (service == "emulator") append(arguments, {"--plant", file("plant")});
   if (service == "plant" || service == "premotor" || service == "supervisor") {
     append(arguments, {"--config", file(service)});
   }
   return arguments;
+}
+
+std::string program_of(std::string service) {
+  std::replace(service.begin(), service.end(), '_', '-');
+  return "scarab-" + service;
 }
 
 Arguments command_on(const Host& host, const std::string& name) {
@@ -41,7 +55,7 @@ Arguments command_on(const Host& host, const std::string& name) {
 }
 
 ChildProcess start(const ServiceLaunch& launch) {
-  Arguments command = command_on(launch.host, "scarab-" + launch.name);
+  Arguments command = command_on(launch.host, program_of(launch.name));
   append(command, shipped_files(launch.name, launch.robot));
   append(command, {"--instance", std::to_string(launch.instance)});
   if (!launch.expect.empty()) append(command, {"--expect", launch.expect});

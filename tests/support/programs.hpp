@@ -16,8 +16,12 @@ std::filesystem::path source_file(const std::string& relative);
 /// The path of a program of this build, such as `scarab-plant`.
 std::string program(const std::string& name);
 
-/// The files of a service as the project ships them for a robot: --robot and --config.
+/// The files of a service as the project ships them for a robot: --robot and --config. Of the
+/// robot bridge, and of the emulator at its wire, those of the driver that stack.yaml names.
 Arguments shipped_files(const std::string& service, const std::string& robot = "beetle");
+
+/// The program of a service, such as scarab-robot-bridge of robot_bridge.
+std::string program_of(std::string service);
 
 /// Where a program runs, and how it joins the bus there; this host, unless said.
 struct Host {

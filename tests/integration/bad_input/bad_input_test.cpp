@@ -21,7 +21,7 @@ class BadInput : public testing::TestWithParam<const char*> {
     return run_with_files(shipped_files(name()), more);
   }
   Finished run_with_files(const Arguments& files, const Arguments& more) const {
-    Arguments command = {program("scarab-" + name()), "--tag", test_tag(), "--run-dir",
+    Arguments command = {program(program_of(name())), "--tag", test_tag(), "--run-dir",
                          directory_.path()};
     if (name() == "logger") command.insert(command.end(), {"--output", directory_ / "a.mcap"});
     command.insert(command.end(), files.begin(), files.end());
@@ -66,7 +66,8 @@ TEST_P(BadInput, InterfaceThatIsNotThere) {
 }
 
 INSTANTIATE_TEST_SUITE_P(Services, BadInput,
-                         testing::Values("plant", "supervisor", "premotor", "logger"),
+                         testing::Values("plant", "supervisor", "premotor", "logger",
+                                         "robot_bridge", "emulator"),
                          [](const auto& of_case) { return std::string(of_case.param); });
 
 /// Those that cannot do without a configuration file.
@@ -138,7 +139,9 @@ TEST_P(BadRobot, ASegmentWithoutLengthIsRefusedBeforeAnythingStarts) {
 INSTANTIATE_TEST_SUITE_P(Services, BadRobot, testing::Values("plant"),
                          [](const auto& of_case) { return std::string(of_case.param); });
 
-INSTANTIATE_TEST_SUITE_P(Services, BadFile, testing::Values("plant", "supervisor", "premotor"),
+INSTANTIATE_TEST_SUITE_P(Services, BadFile,
+                         testing::Values("plant", "supervisor", "premotor", "robot_bridge",
+                                         "emulator"),
                          [](const auto& of_case) { return std::string(of_case.param); });
 
 }  // namespace
