@@ -1,6 +1,5 @@
 #include "services/robot_bridge/drivers/dynamixel/bus.hpp"
 
-#include <algorithm>
 #include <array>
 #include <chrono>
 

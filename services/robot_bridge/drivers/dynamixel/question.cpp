@@ -44,13 +44,14 @@ bool Question::take(const Status& status) {
   if (found == ids_.end()) return false;
   std::optional<Status>& answer = answers_[static_cast<std::size_t>(found - ids_.begin())];
   if (answer) return false;
-  over_ = over_ || status.id == last_id_;
   if (status.error != StatusError::kNone) {
     refusal_ = status;
-    return true;
+  } else if (status.data.size() == data_bytes_) {
+    answer = status;
+  } else {
+    return false;
   }
-  if (status.data.size() != data_bytes_) return false;
-  answer = status;
+  over_ = over_ || status.id == last_id_;
   return true;
 }
 

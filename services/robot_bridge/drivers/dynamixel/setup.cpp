@@ -10,6 +10,7 @@ namespace {
 
 constexpr int kPings = 2;  // of each device
 constexpr std::size_t kPingBytes = 3;
+constexpr std::size_t kReasonsInAMessage = 3;  // names are told all
 
 /// Of the built-in model (e-Manual, Protocol 2.0, "Fast Bulk Read", supported devices: X430
 /// series).
@@ -30,25 +31,33 @@ std::optional<PingAnswer> find(Bus& bus, std::uint8_t id) {
 /// Who is on the bus.
 struct Census {
   std::size_t found = 0;
-  std::string silent;  ///< names, as they go into a message
-  std::string others;  ///< who is not what it should be, and why
+  std::vector<std::string> silent;  ///< names
+  std::vector<std::string> others;  ///< who is not what it should be, and why
 };
 
-void add(std::string& list, const std::string& text) { list += (list.empty() ? "" : ", ") + text; }
+/// "a, b", no more than the first `most`, "and 3 more".
+std::string listed(const std::vector<std::string>& texts, std::size_t most) {
+  std::string list;
+  for (std::size_t i = 0; i < std::min(texts.size(), most); ++i) {
+    list += (i == 0 ? "" : ", ") + texts[i];
+  }
+  if (texts.size() > most) list += " and " + std::to_string(texts.size() - most) + " more";
+  return list;
+}
 
 void check_servo(ServoGroup& servos, std::size_t index, const PingAnswer& answer, Census& census) {
   const int wanted = servos.servos()[index].model.model_number;
   const bool is_built_in = answer.model_number == ServoModel{}.model_number;
   if (answer.model_number != wanted) {
-    add(census.others, servos.name_of(index) + " is a model " +
-                           std::to_string(static_cast<int>(answer.model_number)) + " in place of " +
-                           std::to_string(wanted));
+    census.others.push_back(servos.name_of(index) + " is a model " +
+                            std::to_string(static_cast<int>(answer.model_number)) +
+                            " in place of " + std::to_string(wanted));
   } else if (is_built_in && servos.kind() == SyncReadKind::kFast &&
              answer.firmware < kFastSyncReadFirmware) {
-    add(census.others, servos.name_of(index) + " has firmware " +
-                           std::to_string(static_cast<int>(answer.firmware)) +
-                           ", fast sync reads need " + std::to_string(kFastSyncReadFirmware) +
-                           " (or `sync_read: plain`)");
+    census.others.push_back(servos.name_of(index) + " has firmware " +
+                            std::to_string(static_cast<int>(answer.firmware)) +
+                            ", fast sync reads need " + std::to_string(kFastSyncReadFirmware) +
+                            " (or `sync_read: plain`)");
   }
 }
 
@@ -79,22 +88,24 @@ void find_devices(ServoGroup& servos, const std::vector<std::uint8_t>& boards) {
       ++census.found;
       check_servo(servos, i, *answer, census);
     } else {
-      add(census.silent, servos.name_of(i));
+      census.silent.push_back(servos.name_of(i));
     }
   }
   for (const std::uint8_t id : boards) {
     if (find(bus, id)) {
       ++census.found;
     } else {
-      add(census.silent, bus.name_of(id));
+      census.silent.push_back(bus.name_of(id));
     }
   }
   if (census.found == 0) {
     throw DeviceError(bus.path() +
                       ": no device answers; is the power on, and is it their baud rate?");
   }
-  if (!census.silent.empty()) throw DeviceError(bus.path() + ": missing: " + census.silent);
-  if (!census.others.empty()) throw DeviceError(bus.path() + ": " + census.others);
+  if (!census.silent.empty())
+    throw DeviceError(bus.path() + ": missing: " + listed(census.silent, census.silent.size()));
+  if (!census.others.empty())
+    throw DeviceError(bus.path() + ": " + listed(census.others, kReasonsInAMessage));
 }
 
 void prepare(ServoGroup& servos) {

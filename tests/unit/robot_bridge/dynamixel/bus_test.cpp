@@ -149,14 +149,34 @@ TEST(Bus, AnswersOfOthersAreNotTaken) {
   PseudoTerminal line;
   Bus bus(options_for(line));
   bus.open();
-  // ID 2's ping answer, an answer of ID 1 that is too short, and the right one.
-  std::thread servo = device(line, 10,
-                             {hex("FF FF FD 00 02 07 00 55 00 06 04 26 6F 6D "
-                                  "FF FF FD 00 01 04 00 55 00 A1 0C "
-                                  "FF FF FD 00 01 07 00 55 00 06 04 26 65 5D")});
+  std::thread servo([&line] {
+    line.read(10);
+    line.write(hex("FF FF FD 00 02 07 00 55 00 06 04 26 6F 6D"));  // ID 2's
+    line.write(hex("FF FF FD 00 01 04 00 55 00 A1 0C"));           // too short
+    std::this_thread::sleep_for(std::chrono::milliseconds(5));     // let them be read first
+    line.write(hex("FF FF FD 00 01 07 00 55 00 06 04 26 65 5D"));
+  });
   EXPECT_EQ(bus.ask(ping(1), 3).data, hex("06 04 26"));
   servo.join();
   EXPECT_EQ(bus.counters().wrong_answers, 2U);
+  EXPECT_EQ(bus.counters().retries, 0U);
+}
+
+TEST(Bus, ARefusalIsNamed) {
+  PseudoTerminal line;
+  Bus bus(options_for(line));
+  bus.open();
+  const Bytes refusal = encode(to_packet({7, false, StatusError::kDataRange, {}}));
+  std::thread servo = device(line, 16, {refusal, refusal, refusal});
+  std::string error;
+  try {
+    bus.ask(write(7, 116, hex("00 00 00 00")), 0);
+  } catch (const DeviceError& e) {
+    error = e.what();
+  }
+  servo.join();
+  EXPECT_EQ(error, line.path() + ": joint CR1 (ID 7) refuses instruction 3: data range error");
+  EXPECT_EQ(bus.counters().refusals, 3U);
 }
 
 TEST(Bus, ALateAnswerIsNotTakenForTheNext) {

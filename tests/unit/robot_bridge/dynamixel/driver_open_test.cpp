@@ -62,6 +62,19 @@ TEST(DynamixelOpen, NamesTheModelThatAnswersInstead) {
             bus.path() + ": joint TL1 (ID 2) is a model 1060 in place of 1020");
 }
 
+TEST(DynamixelOpen, OneReasonForAllIsNotToldForEach) {
+  auto devices = DriverRig::devices();
+  for (auto& [id, device] : devices) device.model_number = 1120;
+  devices[4] = devices[1];
+  ScriptedBus bus(devices);
+  DriverRig rig;
+  rig.robot.joints[3].present = true;
+  rig.config.servos["TR0"].id = 4;
+  rig.calibration.joints[3] = rig.calibration.joints[0];
+  EXPECT_THAT(device_error([&] { rig.make_driver(bus)->open(); }),
+              HasSubstr("joint TL2 (ID 3) is a model 1120 in place of 1020 and 1 more"));
+}
+
 TEST(DynamixelOpen, AnOldFirmwareCannotBeReadTogether) {
   auto devices = DriverRig::devices();
   devices[3].firmware = 44;

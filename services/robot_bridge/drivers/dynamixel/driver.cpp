@@ -1,10 +1,8 @@
-#include "services/robot_bridge/drivers/dynamixel/dynamixel_driver.hpp"
+#include "services/robot_bridge/drivers/dynamixel/driver.hpp"
 
 #include <algorithm>
 #include <chrono>
 #include <cmath>
-#include <map>
-#include <string_view>
 
 #include "services/robot_bridge/drivers/dynamixel/boards.hpp"
 #include "services/robot_bridge/drivers/dynamixel/feedback.hpp"
