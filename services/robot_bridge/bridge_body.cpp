@@ -25,7 +25,9 @@ void warn_of_blind_limits(const LimitsConfig& limits, const Capabilities& device
   warn(limits.joint_current_max_a && !device.joint_current, "a joint's current");
   warn(limits.supply_current_max_a && !device.supply_current, "the supply current");
   warn(limits.inclination_max_rad && !device.imu, "inclination");
-  warn(!device.device_timeout_s, "a killed bridge (SIGKILL)");
+  if (!device.device_timeout_s) {
+    spdlog::warn("a bridge that is killed leaves the motors on: the device has no time-out");
+  }
 }
 
 }  // namespace
@@ -98,7 +100,11 @@ void BridgeBody::judge() {
                                    time_limit_s_)};
 }
 
-void BridgeBody::rest() noexcept { device_.rest(); }
+void BridgeBody::rest() noexcept {
+  const bool were_on = device_.state() == LifecycleState::kActive;
+  device_.rest();
+  if (were_on && device_.present()) spdlog::info("motors off");
+}
 
 void BridgeBody::safe_stop() noexcept { device_.safe_stop(); }
 
