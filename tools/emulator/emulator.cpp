@@ -32,6 +32,8 @@ namespace {
 constexpr double kNsPerS = 1e9;
 /// The bus is looked at no less often than this.
 constexpr std::int64_t kLongestSleepNs = 5'000'000;
+/// So often a world that stands still is shown again, to whoever has come to see it.
+constexpr std::int64_t kStillPeriodNs = 1'000'000'000;
 constexpr std::int64_t kBetweenReportsNs = 1'000'000'000;  // of a computer that is too slow
 
 std::int64_t now_ns() {
@@ -50,6 +52,7 @@ class Emulator {
   void take_orders(std::int64_t now);
   void update_faults(std::int64_t now);
   void move_world(std::int64_t now);
+  void show_still_world(std::int64_t now);
   void publish();
   void report_lateness(std::int64_t now);
   bool sleep();  // false: a signal came
@@ -67,6 +70,7 @@ class Emulator {
   std::uint64_t power_ups_ = 0;  // when the world was built
   std::uint64_t reported_lateness_ = 0;
   std::int64_t next_report_ns_ = 0;
+  std::int64_t next_show_ns_ = 0;
 };
 
 Emulator::Emulator(const EmulatorOptions& options, const Configuration& configuration)
@@ -119,6 +123,7 @@ void Emulator::pass(std::int64_t now) {
     journal_.note("world_runs", "");
   }
   wire_.carry_out(now);
+  show_still_world(now);
   report_lateness(now);
   journal_.flush();
 }
@@ -142,7 +147,7 @@ void Emulator::take_trial() {
   board_->put_back();
   board_->sense(world_.observe());
   power_ups_ = board_->power_ups();
-  publish();
+  next_show_ns_ = 0;
 }
 
 void Emulator::take_orders(std::int64_t now) {
@@ -188,6 +193,12 @@ void Emulator::move_world(std::int64_t now) {
     spdlog::error("{}; the world stands still until the next trial", error.what());
   }
   board_->sense(world_.observe());
+}
+
+void Emulator::show_still_world(std::int64_t now) {
+  if (world_.runs() || !bus_.has_trial() || now < next_show_ns_) return;
+  next_show_ns_ = now + kStillPeriodNs;
+  publish();
 }
 
 void Emulator::publish() {
