@@ -145,15 +145,10 @@ std::vector<std::pair<std::string, std::uint64_t>> DynamixelDriver::counters() c
           {"bus_timeouts", bus.timeouts},
           {"bus_wrong_answers", bus.wrong_answers},
           {"bus_refusals", bus.refusals},
-          {"bus_echoes", bus.echoes},
-          {"bus_bytes_sent", bus.bytes_sent},
           {"bus_bytes_received", bus.bytes_received},
-          {"bus_bytes_late", bus.bytes_late},
-          {"bus_bytes_dropped", parser.bytes_dropped},
+          {"bus_bytes_dropped", parser.bytes_dropped + bus.bytes_late},
           {"bus_crc_errors", parser.crc_errors},
-          {"bus_length_errors", parser.length_errors},
-          {"bus_stuffing_errors", parser.stuffing_errors},
-          {"bus_frames_cut_short", parser.cut_short},
+          {"bus_frame_errors", parser.length_errors + parser.stuffing_errors + parser.cut_short},
           {"goals_limited", goals_limited_},
           {"device_opened", opened_}};
 }
