@@ -21,6 +21,7 @@ namespace {
 using Table = std::map<std::string, std::set<int>>;
 
 constexpr std::chrono::seconds kLimit{20};
+constexpr const char* kCtrlC = "\x03";
 
 std::vector<std::string> cells_of(const std::string& line) {
   std::vector<std::string> cells;
@@ -85,6 +86,9 @@ class ExitCodes : public testing::Test {
     EXPECT_EQ(child.wait(kLimit), code) << name << child.output();
     seen_[name].insert(code);
   }
+  /// Types `keys` into a terminal of its own, once that has shown `prompt`.
+  void expect_in_terminal(int code, const std::string& name, const Arguments& words,
+                          const std::string& prompt, const std::string& keys);
   [[nodiscard]] Arguments simulation(const Arguments& trial) const {
     Arguments words = {"--robot",      source_file("config/robot/beetle.yaml"),
                        "--plant",      source_file("config/plant/beetle.yaml"),
@@ -95,15 +99,49 @@ class ExitCodes : public testing::Test {
     return words;
   }
   void services();
+  void robot();
   void tools();
   void trials();
   void search();
   void drive();
+  void calibrate();
 
   TemporaryDirectory directory_;
   const Arguments bus_ = {"--tag", test_tag()};
   Table seen_;
 };
+
+void ExitCodes::expect_in_terminal(int code, const std::string& name, const Arguments& words,
+                                   const std::string& prompt, const std::string& keys) {
+  Arguments command = {program(name)};
+  command.insert(command.end(), words.begin(), words.end());
+  std::vector<char*> argv;
+  for (std::string& word : command) argv.push_back(word.data());
+  argv.push_back(nullptr);
+  int terminal = -1;
+  winsize size{};
+  size.ws_row = 24;
+  size.ws_col = 80;
+  const pid_t pid = ::forkpty(&terminal, nullptr, nullptr, &size);
+  if (pid == 0) {
+    ::setenv("TERM", "xterm", 1);
+    ::execv(argv[0], argv.data());
+    ::_exit(127);
+  }
+  std::string shown;
+  char next = 0;
+  do {
+    ASSERT_EQ(::read(terminal, &next, 1), 1) << name << ": " << shown;
+    shown += next;
+  } while (shown.find(prompt) == std::string::npos);
+  EXPECT_EQ(::write(terminal, keys.data(), keys.size()), static_cast<ssize_t>(keys.size()));
+  while (::read(terminal, &next, 1) == 1) shown += next;
+  int status = 0;
+  ::waitpid(pid, &status, 0);
+  ::close(terminal);
+  EXPECT_EQ(WEXITSTATUS(status), code) << name << ": " << shown;
+  seen_[name].insert(WEXITSTATUS(status));
+}
 
 void ExitCodes::services() {
   for (const std::string name : {"plant", "supervisor", "premotor"}) {
@@ -114,10 +152,26 @@ void ExitCodes::services() {
     expect(1, "scarab-" + name, words);
     expect(2, "scarab-" + name, {"--no-such-option"});
   }
+  robot();
   const std::string log = directory_ / "trial.mcap";
   expect_at_signal(0, "scarab-logger", {"--output", log, "--tag", test_tag()}, SIGTERM);
   expect(1, "scarab-logger", {"--output", "/proc/no/trial.mcap"});
   expect(2, "scarab-logger", {"--no-such-option"});
+}
+
+/// The bridge waits for a port that is not there; the emulator makes one.
+void ExitCodes::robot() {
+  for (const std::string name : {"robot_bridge", "emulator"}) {
+    auto words = shipped_files(name);
+    words.insert(words.end(), bus_.begin(), bus_.end());
+    words.insert(words.end(), {"--device", directory_ / name});
+    expect_at_signal(0, program_of(name), words, SIGTERM);
+    words.insert(words.end(), {"--interface", "no-such"});
+    expect(1, program_of(name), words);
+    expect(2, program_of(name), {"--no-such-option"});
+  }
+  expect(1, "scarab-emulator", {"tell", directory_.path(), "clear"});
+  expect(2, "scarab-emulator", {"tell", directory_.path(), "sulk"});
 }
 
 void ExitCodes::tools() {
@@ -173,32 +227,28 @@ void ExitCodes::search() {
 
 /// With a terminal, and without.
 void ExitCodes::drive() {
-  const auto ended_by = [&](const std::string& keys) {
-    int terminal = -1;
-    winsize size{};
-    size.ws_row = 24;
-    size.ws_col = 80;
-    const pid_t pid = ::forkpty(&terminal, nullptr, nullptr, &size);
-    if (pid == 0) {
-      ::setenv("TERM", "xterm", 1);
-      ::execl(program("scarab-drive").c_str(), "scarab-drive", "--tag", test_tag().c_str(),
-              nullptr);
-      ::_exit(127);
-    }
-    char shown = 0;
-    EXPECT_EQ(::read(terminal, &shown, 1), 1);  // it draws, so it listens
-    EXPECT_EQ(::write(terminal, keys.data(), keys.size()), static_cast<ssize_t>(keys.size()));
-    while (::read(terminal, &shown, 1) == 1) {
-    }
-    int status = 0;
-    ::waitpid(pid, &status, 0);
-    ::close(terminal);
-    seen_["scarab-drive"].insert(WEXITSTATUS(status));
-    return WEXITSTATUS(status);
-  };
-  EXPECT_EQ(ended_by("q"), 0);
-  EXPECT_EQ(ended_by("\x03"), 130);
+  const Arguments words = {"--tag", test_tag()};
+  expect_in_terminal(0, "scarab-drive", words, "", "q");  // it draws, so it listens
+  expect_in_terminal(130, "scarab-drive", words, "", kCtrlC);
   expect(2, "scarab-drive", {});
+}
+
+/// Of a robot without a device, and of one that is not there.
+void ExitCodes::calibrate() {
+  const auto words = [&](const std::string& driver, const Arguments& more) {
+    const std::string name = "beetle-" + driver + ".yaml";
+    const std::string own = directory_ / name;
+    write_text(own, read_text(source_file("config/calibration/" + name)));
+    Arguments all = {"--robot",  source_file("config/robot/beetle.yaml"),
+                     "--config", source_file("config/robot_bridge/" + name),
+                     "--output", own};
+    all.insert(all.end(), more.begin(), more.end());
+    return all;
+  };
+  expect(0, "scarab-calibrate", words("loopback", {"--pose", "start", "--yes", "--again"}));
+  expect(1, "scarab-calibrate", words("dynamixel", {"--yes", "--device", directory_ / "none"}));
+  expect(2, "scarab-calibrate", {"--no-such-option"});
+  expect_in_terminal(130, "scarab-calibrate", words("loopback", {"--again"}), "Enter: ", kCtrlC);
 }
 
 TEST_F(ExitCodes, AreThoseOfTheDocumentation) {
@@ -207,6 +257,7 @@ TEST_F(ExitCodes, AreThoseOfTheDocumentation) {
   trials();
   search();
   drive();
+  calibrate();
   {
     ChildProcess plant = start({"plant", "plant=1", directory_.path(), 0, {}});
     expect(0, "scarab-status", {"--wait", "plant=1", "--timeout", "10", "--tag", test_tag()});
