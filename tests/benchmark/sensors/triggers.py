@@ -23,8 +23,9 @@ TRIGGERS = ("front_angle", "supply_current", "foot_force")
 
 _HELP = """Runs trials in one process (scarab-sim) with the errors of config/plant/beetle-noisy.yaml multiplied by each
 scale; latencies and jitter too, in whole steps. --only SECTION.KEY, repeatable, multiplies these alone and leaves
-all others out. --trigger has the strategy switch by this signal, whatever the supervisor's file prefers. By the ground truth, mode 1 is right if the robot has its hind feet on the object, mode 2 if it begins
-after the obstacle has blocked the object, and within 4 s of it. Times are smallest, median, largest.
+all others out. --trigger has the strategy switch by this signal, whatever the supervisor's file prefers. By the ground
+truth, mode 1 is right if the robot has its hind feet on the object, mode 2 if it begins after the obstacle has blocked
+the object, and within 4 s of it. Times are smallest, median, largest.
 
 example:
   tests/benchmark/sensors/triggers.py --bin build/release/bin --trials 40 --scale 0 1 2 4
@@ -64,13 +65,18 @@ def scaled_file(folder: Path, scale: float, only: List[str]) -> Path:
     return path
 
 
+def object_radius_m() -> float:
+    return yaml.safe_load((NOISY.parent / "beetle.yaml").read_text(encoding="utf-8"))["object"]["diameter_m"] / 2
+
+
 def supervisor_file(folder: Path, options: argparse.Namespace) -> Path:
     """The supervisor's file; with --trigger one that has only this signal switch."""
     if options.trigger is None:
         return options.supervisor
     path = folder / "supervisor.yaml"
-    path.write_text(yaml.safe_dump({"extends": str(options.supervisor.resolve()),
-                                    "strategies": {options.strategy: {"obstacle": [options.trigger]}}}), encoding="utf-8")
+    changed = {"extends": str(options.supervisor.resolve()),
+               "strategies": {options.strategy: {"obstacle": [options.trigger]}}}
+    path.write_text(yaml.safe_dump(changed, sort_keys=False), encoding="utf-8")
     return path
 
 
@@ -150,7 +156,7 @@ def main() -> int:
     parser.add_argument("--supervisor", type=Path, default=ROOT / "config/supervisor/beetle.yaml",
                         help="the supervisor's file")
     options = parser.parse_args()
-    radius_m = yaml.safe_load((NOISY.parent / "beetle.yaml").read_text(encoding="utf-8"))["object"]["diameter_m"] / 2
+    radius_m = object_radius_m()
     print("| scale | success | climb, s | mode 1, s | off the object | mode 2 after blocked, s | early | late | never |")
     print("|---|---|---|---|---|---|---|---|---|")
     for scale in options.scale:
