@@ -63,7 +63,7 @@ scarab_Trial to_trial(const TrialLine& line, std::uint32_t number) {
   return trial;
 }
 
-TrialWatch::TrialWatch(const scarab_Trial& trial) {
+TrialWatch::TrialWatch(const scarab_Trial& trial, Judge judge) : judge_(judge) {
   outcome_.number = trial.header.trial;
   outcome_.strategy = trial.strategy;
   outcome_.height_m = trial.obstacle_height_m;
@@ -83,18 +83,51 @@ void TrialWatch::see(const scarab_Behaviour& behaviour) {
 }
 
 void TrialWatch::see(const scarab_WorldState& world) {
-  if (world.header.trial != outcome_.number || ended_) return;
-  const auto now = std::chrono::steady_clock::now();
-  if (!started_) started_ = now;
-  outcome_.end.time_s = seconds(world.header.sim_time_ns);
-  outcome_.end.wall_s = std::chrono::duration<double>(now - *started_).count();
+  if (world.header.trial != outcome_.number || measured_) return;
+  // The two publish on their own: the verdict that the tick master has heard may come after its
+  // word here.
+  if (ended_ && (judge_ == Judge::kReferee || world.verdict == scarab_VERDICT_OPEN)) return;
+  if (judge_ == Judge::kReferee) {
+    progress(world.header);
+    worlds_.see(world.header.sim_time_ns);
+    miss(worlds_.missed());
+  }
   outcome_.end.travel_m = world.object_travel_m;
-  last_tick_ = world.header.tick;
   measure(world);
   if (world.verdict == scarab_VERDICT_OPEN) return;
+  measured_ = true;
+  referee_ = world.verdict == scarab_VERDICT_SUCCESS;
+  referee_reason_ = world.verdict_reason;
+  if (judge_ == Judge::kReferee) end(*referee_, referee_reason_);
+  if (referee_ == outcome_.success) explain(referee_reason_);
+}
+
+void TrialWatch::see(const scarab_RobotState& state) {
+  if (judge_ != Judge::kTickMaster || state.header.trial != outcome_.number || ended_) return;
+  progress(state.header);
+  const bool success = state.phase == scarab_PHASE_SUCCEEDED;
+  if (success || state.phase == scarab_PHASE_FAILED) {
+    end(success, referee_ == success ? referee_reason_ : "");
+  }
+}
+
+/// Another tick, or a sample of one.
+void TrialWatch::progress(const scarab_Header& header) {
+  const auto now = std::chrono::steady_clock::now();
+  if (!started_) started_ = now;
+  outcome_.end.time_s = seconds(header.sim_time_ns);
+  outcome_.end.wall_s = std::chrono::duration<double>(now - *started_).count();
+  last_tick_ = header.tick;
+}
+
+void TrialWatch::end(bool success, const std::string& reason) {
   ended_ = outcome_.judged = true;
-  outcome_.success = world.verdict == scarab_VERDICT_SUCCESS;
-  outcome_.reason = world.verdict_reason;
+  outcome_.success = success;
+  outcome_.reason = reason;
+}
+
+void TrialWatch::explain(const std::string& reason) {
+  if (wants_reason()) outcome_.reason = reason;
 }
 
 /// A gap is none of a fault where the state was the same all the while: a supervisor that was
@@ -109,8 +142,6 @@ void TrialWatch::watch_for_gap(const scarab_Behaviour& behaviour) {
 }
 
 void TrialWatch::measure(const scarab_WorldState& world) {
-  worlds_.see(world.header.sim_time_ns);
-  miss(worlds_.missed());
   const Place now{to_array(world.trunk.position_m), world.object.position_m[1]};
   if (!start_) start_ = now;
   turn_.see(heading_rad(to_array(world.trunk.orientation_wxyz)));

@@ -4,6 +4,8 @@
 #include <thread>
 
 #include "common/bus/clock.hpp"
+#include "common/runtime/end_words.hpp"
+#include "common/runtime/tick_masters.hpp"
 
 namespace scarab::experiment {
 namespace {
@@ -19,6 +21,7 @@ constexpr std::chrono::milliseconds kTakeInterval{2};
 // Beyond the lease of a service's status: what has none has been silent for that long already.
 constexpr std::chrono::milliseconds kGonePatience{250};
 constexpr std::chrono::seconds kRecordLimit{10};
+constexpr const char* kSimulator = "plant";  // the tick master that is its world's referee, too
 
 bus::ReaderOptions every_sample() {
   bus::ReaderOptions options;
@@ -31,6 +34,7 @@ bus::ReaderOptions every_sample() {
 Conductor::Conductor(bus::Participant& participant, const runtime::Expectation& expect,
                      Listener listener, FaultFile fault)
     : expect_(expect),
+      tick_master_(runtime::expected_tick_master(expect)),
       listener_(std::move(listener)),
       fault_(std::move(fault)),
       peers_(expect),
@@ -47,7 +51,12 @@ Conductor::Conductor(bus::Participant& participant, const runtime::Expectation& 
   wait_set_.attach(guard_);
   for (const auto& [service, count] : expect_) peers_.need(trials_, service);
   peers_.need(behaviours_, "supervisor");
-  peers_.need(worlds_, "plant");
+  peers_.need(worlds_, kSimulator);
+  if (!tick_master_ || tick_master_->service == kSimulator) return;
+  // A robot: whoever sees its world, if anybody does, is none of the stack.
+  states_.emplace(participant, bus::kRobotState, every_sample());
+  wait_set_.attach(*states_);
+  runtime::need_tick_master(peers_, *states_);
 }
 
 void Conductor::await_stack(std::chrono::seconds limit) {
@@ -74,10 +83,10 @@ std::uint32_t Conductor::next_trial() const {
 }
 
 Outcome Conductor::run(scarab_Trial trial, std::chrono::seconds silence_limit) {
-  TrialWatch watch(trial);
+  TrialWatch watch(trial, states_ ? Judge::kTickMaster : Judge::kReferee);
   watch_ = &watch;
-  told_ = heard_ = plant_seen_ = Clock::now();
-  plant_gone_ = false;
+  told_ = heard_ = master_seen_ = Clock::now();
+  master_gone_ = false;
   told_ns_ = trial.header.stamp_ns = bus::now_ns();
   trials_.write(trial);
   std::size_t shown = 0;
@@ -91,6 +100,7 @@ Outcome Conductor::run(scarab_Trial trial, std::chrono::seconds silence_limit) {
     watch_for_trouble(watch, silence_limit);
   }
   await_record(watch);
+  await_reason(watch);
   show_changes(watch.outcome(), shown);
   watch_ = nullptr;
   return watch.outcome();
@@ -106,6 +116,7 @@ void Conductor::wait(std::chrono::milliseconds timeout) {
   };
   behaviours_.take(see);
   worlds_.take(see);
+  if (states_) states_->take(see);
 }
 
 void Conductor::show_changes(const Outcome& outcome, std::size_t& shown) const {
@@ -126,20 +137,30 @@ void Conductor::watch_for_trouble(TrialWatch& watch, std::chrono::seconds silenc
       listener_.waiting(bus::to_string(peer) + " " + report.message);
     }
   }
-  // Nobody restarts a plant in the middle of a trial.
-  if (expect_.count("plant") == 0 || board_.find({"plant", 0})) plant_seen_ = Clock::now();
-  plant_gone_ = Clock::now() - plant_seen_ > kGonePatience;
-  if (plant_gone_) {
-    watch.fail("plant/0 is gone");
-    return;
-  }
-  if (Clock::now() - heard_ > silence_limit) {
+  watch_for_absence(watch);
+  if (is_homing(watch)) heard_ = Clock::now();
+  if (!watch.ended() && Clock::now() - heard_ > silence_limit) {
     std::string reason =
         "nothing heard of the trial for " + std::to_string(silence_limit.count()) + " s";
     const auto missing = board_.missing(expect_, 0);
     if (!missing.empty()) reason += "; gone: " + runtime::join(missing);
     watch.fail(reason);
   }
+}
+
+/// Nobody restarts a tick master in the middle of a trial.
+void Conductor::watch_for_absence(TrialWatch& watch) {
+  if (!tick_master_ || board_.find(*tick_master_)) master_seen_ = Clock::now();
+  master_gone_ = Clock::now() - master_seen_ > kGonePatience;
+  if (master_gone_) watch.fail(bus::to_string(*tick_master_) + " is gone");
+}
+
+/// On its slow way to the start pose, before its first tick.
+bool Conductor::is_homing(const TrialWatch& watch) const {
+  if (!states_ || watch.began()) return false;
+  const auto* report = board_.find(*tick_master_);
+  return report && report->lifecycle == scarab_LIFECYCLE_ACTIVE &&
+         report->header.trial == watch.outcome().number;
 }
 
 /// The fault is of the trial before: the service has had no time yet to say better.
@@ -179,7 +200,7 @@ void Conductor::await_record(TrialWatch& watch) {
   const auto complete = [&] {
     if (watch.complete() || Clock::now() - since > limit) return true;
     // Is anybody left to say that it has ended?
-    return !watch.outcome().judged || plant_gone_ || fault();
+    return !watch.outcome().judged || master_gone_ || fault();
   };
   while (Clock::now() - since < kRecordLimit) {
     if (complete() && (recorded(watch) || fault_said(true))) break;
@@ -188,6 +209,18 @@ void Conductor::await_record(TrialWatch& watch) {
   if (!watch.complete()) watch.miss(fault().value_or("the last behaviour did not come"));
   if (recorded(watch)) return;
   watch.miss(fault_said(true).value_or("logger/0 has not recorded the last tick"));
+}
+
+/// Where no referee has said why, the tick master does.
+void Conductor::await_reason(TrialWatch& watch) {
+  for (const auto since = Clock::now(); watch.wants_reason(); wait(kPoll)) {
+    const auto* report = tick_master_ ? board_.find(*tick_master_) : nullptr;
+    if (report == nullptr || Clock::now() - since > kPatience) {
+      watch.explain("the tick master does not say why");
+    } else if (const auto reason = runtime::reason_in(report->message, watch.outcome().number)) {
+      watch.explain(*reason);
+    }
+  }
 }
 
 }  // namespace scarab::experiment

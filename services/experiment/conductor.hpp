@@ -54,14 +54,18 @@ class Conductor {
  private:
   void wait(std::chrono::milliseconds timeout);
   void show_changes(const Outcome& outcome, std::size_t& shown) const;
+  void watch_for_absence(TrialWatch& watch);
   void watch_for_trouble(TrialWatch& watch, std::chrono::seconds silence_limit);
   [[nodiscard]] bool left_over(const runtime::ServiceReport& report) const;
   [[nodiscard]] std::optional<std::string> fault() const;
   [[nodiscard]] std::optional<std::string> fault_said(bool by_logger) const;
   [[nodiscard]] bool recorded(const TrialWatch& watch) const;
+  [[nodiscard]] bool is_homing(const TrialWatch& watch) const;
   void await_record(TrialWatch& watch);
+  void await_reason(TrialWatch& watch);
 
   runtime::Expectation expect_;
+  std::optional<bus::Peer> tick_master_;  // the one that is expected
   Listener listener_;
   FaultFile fault_;
   runtime::PeerCheck peers_;
@@ -70,14 +74,15 @@ class Conductor {
   bus::Writer<scarab_Trial> trials_;
   bus::Reader<scarab_Behaviour> behaviours_;
   bus::Reader<scarab_WorldState> worlds_;
+  std::optional<bus::Reader<scarab_RobotState>> states_;  // where the tick master judges
   runtime::StatusBoard board_;
   runtime::Shutdown shutdown_;
   TrialWatch* watch_ = nullptr;
-  std::chrono::steady_clock::time_point heard_{};       // from the running trial
-  std::chrono::steady_clock::time_point told_{};        // the running trial was
-  std::chrono::steady_clock::time_point plant_seen_{};  // on the board
-  std::int64_t told_ns_ = 0;                            // as the trial's stamp
-  bool plant_gone_ = false;
+  std::chrono::steady_clock::time_point heard_{};        // from the running trial
+  std::chrono::steady_clock::time_point told_{};         // the running trial was
+  std::chrono::steady_clock::time_point master_seen_{};  // the tick master was, on the board
+  std::int64_t told_ns_ = 0;                             // as the trial's stamp
+  bool master_gone_ = false;
 };
 
 }  // namespace scarab::experiment

@@ -45,6 +45,9 @@ class ChainEnds {
   void behave(const scarab_RobotState& state) {
     scarab_Behaviour behaviour{};
     behaviour.header = state.header;
+    behaviour.state = state.phase == scarab_PHASE_SUCCEEDED ? scarab_BEHAVIOUR_DONE
+                      : state.phase == scarab_PHASE_FAILED  ? scarab_BEHAVIOUR_FAILED
+                                                            : scarab_BEHAVIOUR_APPROACH;
     behaviours_.write(behaviour);
   }
   /// A command to stay as `state` is.

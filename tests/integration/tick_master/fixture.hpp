@@ -51,8 +51,7 @@ class MasterOfABody : public testing::Test {
 
   /// Tells a trial; its first state.
   std::optional<scarab_RobotState> begin(std::uint32_t trial = 1) {
-    trial_ = trial;
-    answered_ = -1;
+    expect_trial(trial);
     ends_.tell_trial(trial);
     return ends_.states().await(trial, 0);
   }
@@ -63,6 +62,11 @@ class MasterOfABody : public testing::Test {
       answer_new(angle_rad);
       return condition();
     });
+  }
+  /// Somebody else tells it.
+  void expect_trial(std::uint32_t trial) {
+    trial_ = trial;
+    answered_ = -1;
   }
   void answer_new(double angle_rad) {
     for (const scarab_RobotState& state : ends_.states().all()) {

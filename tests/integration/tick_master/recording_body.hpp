@@ -30,6 +30,7 @@ class RecordingBody : public runtime::TickBody {
     bool tells_idle = false;  ///< idle() has something to tell
     double stands_rad = 0;    ///< every joint, while the motors are off
     std::optional<std::string> fault;
+    std::optional<runtime::TrialEnd> verdict;                     ///< of a referee
     std::string activate_throws, observe_throws, advance_throws;  ///< empty: they do not
   };
 
@@ -91,7 +92,9 @@ class RecordingBody : public runtime::TickBody {
     for (unsigned i = 1; i < samples_; ++i) sample();
     if (started_) time_ns_ += period_.count();
   }
-  [[nodiscard]] std::optional<runtime::TrialEnd> verdict() const override { return end_; }
+  [[nodiscard]] std::optional<runtime::TrialEnd> verdict() const override {
+    return end_ ? end_ : fate().verdict;
+  }
   void end(const runtime::TrialEnd& end) override { note(Call::kEnd), end_ = end; }
   void rest() noexcept override {
     note(Call::kRest);

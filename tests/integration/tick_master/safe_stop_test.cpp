@@ -114,8 +114,9 @@ TEST_F(SafeStop, ComesForWhatTheBodyThrows) {
   EXPECT_EQ(ends_.states().all().back().position_source[0], scarab_SOURCE_ABSENT);
   body_->change([](auto& fate) { fate.observe_throws.clear(); });
   ASSERT_TRUE(answer_until(0.1, [&] { return ends_.states().all().back().position_rad[0] != 0; }));
-  body_->change([](auto& fate) { fate.advance_throws = "the line is cut again"; });
   say(scarab_OPERATOR_RESET);
+  ASSERT_TRUE(answer_until(0.1, [&] { return body_->count(Call::kActivate) == 2; }));
+  body_->change([](auto& fate) { fate.advance_throws = "the line is cut again"; });
   ASSERT_TRUE(answer_until(0.1, [&] { return body_->count(Call::kSafeStop) == 2; }));
   EXPECT_TRUE(says("safe stop: the line is cut again"));
 }

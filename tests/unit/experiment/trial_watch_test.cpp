@@ -213,6 +213,77 @@ TEST_F(TrialWatchTest, IsCompleteWithTheLastAnswer) {
   EXPECT_TRUE(watch_.outcome().judged);
 }
 
+/// A robot's trial: the tick master ends it; whoever sees the world counts ticks on its own.
+class RobotTrialTest : public TrialWatchTest {
+ protected:
+  static scarab_RobotState state_of(std::uint32_t tick,
+                                    scarab_TrialPhase phase = scarab_PHASE_RUNNING) {
+    scarab_RobotState state{};
+    state.header = header_of(kTrial, tick);
+    state.phase = phase;
+    return state;
+  }
+  TrialWatch robot_{trial(), Judge::kTickMaster};
+};
+
+TEST_F(RobotTrialTest, EndsByThePhaseWithoutAnyWorld) {
+  robot_.see(state_of(0));
+  EXPECT_TRUE(robot_.began());
+  robot_.see(state_of(8));
+  EXPECT_DOUBLE_EQ(robot_.outcome().end.time_s, 0.8);
+  robot_.see(state_of(9, scarab_PHASE_FAILED));
+  EXPECT_TRUE(robot_.ended());
+  EXPECT_EQ(robot_.last_tick(), 9U);
+  EXPECT_TRUE(robot_.outcome().judged);
+  EXPECT_FALSE(robot_.outcome().success);
+  EXPECT_TRUE(robot_.wants_reason());
+  robot_.explain("operator stop: lunch");
+  EXPECT_EQ(robot_.outcome().reason, "operator stop: lunch");
+  EXPECT_FALSE(robot_.wants_reason());
+  EXPECT_FALSE(robot_.complete());
+  robot_.see(behaviour_of(9, scarab_BEHAVIOUR_FAILED));
+  EXPECT_TRUE(robot_.complete());
+  EXPECT_EQ(robot_.outcome().missed, "");
+}
+
+TEST_F(RobotTrialTest, WhoSeesTheWorldMeasuresAndSaysWhy) {
+  for (const std::uint32_t tick : {12, 13, 17}) robot_.see(world_of(tick));  // its own ticks
+  EXPECT_FALSE(robot_.began()) << "the robot is on its way home";
+  robot_.see(state_of(0));
+  robot_.see(world_of(40, scarab_VERDICT_SUCCESS, "across"));
+  EXPECT_FALSE(robot_.ended()) << "the tick master has not said so";
+  robot_.see(world_of(41, scarab_VERDICT_SUCCESS, "across"));
+  robot_.see(state_of(30, scarab_PHASE_SUCCEEDED));
+  EXPECT_TRUE(robot_.ended());
+  EXPECT_TRUE(robot_.outcome().success);
+  EXPECT_EQ(robot_.outcome().reason, "across");
+  EXPECT_EQ(robot_.last_tick(), 30U);
+  EXPECT_DOUBLE_EQ(robot_.outcome().end.time_s, 3.0);
+  EXPECT_DOUBLE_EQ(robot_.outcome().measures.object_travel_m, 0.40) << "up to the verdict";
+  EXPECT_EQ(robot_.outcome().missed, "") << "its clock is not ours";
+}
+
+TEST_F(RobotTrialTest, AVerdictThatComesAfterThePhaseExplainsItStill) {
+  robot_.see(state_of(30, scarab_PHASE_SUCCEEDED));
+  robot_.see(world_of(40));
+  EXPECT_TRUE(robot_.wants_reason());
+  robot_.see(world_of(41, scarab_VERDICT_SUCCESS, "across"));
+  EXPECT_EQ(robot_.outcome().reason, "across");
+}
+
+TEST_F(RobotTrialTest, AnotherVerdictThanTheTickMastersExplainsNothing) {
+  robot_.see(world_of(40, scarab_VERDICT_SUCCESS, "across"));
+  robot_.see(state_of(30, scarab_PHASE_FAILED));
+  EXPECT_FALSE(robot_.outcome().success);
+  EXPECT_TRUE(robot_.wants_reason());
+}
+
+TEST_F(RobotTrialTest, StatesAreNotNeededWhereTheRefereeJudges) {
+  watch_.see(state_of(9, scarab_PHASE_FAILED));
+  EXPECT_FALSE(watch_.ended());
+  EXPECT_EQ(watch_.last_tick(), 0U);
+}
+
 TEST_F(TrialWatchTest, WhatWasEndedFromHereIsNotJudged) {
   watch_.fail("silence");
   EXPECT_FALSE(watch_.outcome().judged);
