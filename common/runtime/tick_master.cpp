@@ -205,8 +205,8 @@ void TickMaster::fail_trial(const std::string& why) {
 }
 
 void TickMaster::end_trial() {
+  guarded_.end_trial();  // the motors first
   flush();
-  guarded_.end_trial();
   moving_ = false;
   stage_ = Stage::kIdle;
   show_lifecycle();

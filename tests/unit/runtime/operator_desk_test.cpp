@@ -116,6 +116,27 @@ TEST_F(OperatorDeskTest, ARepeatedResetDoesNotEndALaterStop) {
   EXPECT_FALSE(say(reset).reset);
 }
 
+/// Said in one breath: the stop is the last word.
+TEST_F(OperatorDeskTest, AResetBeforeAStopDoesNotEndIt) {
+  bool in_one_go = false;  // the desk has taken both at once; it may take more than one try
+  for (int go = 0; go < 1000 && !in_one_go; ++go) {
+    for (const auto command : {scarab_OPERATOR_RESET, scarab_OPERATOR_EMERGENCY_STOP}) {
+      scarab_Operator said{};
+      said.command = command;
+      said.header.stamp_ns = bus::now_ns();
+      writer_.write(said);
+    }
+    in_one_go = true;
+    ASSERT_TRUE(test::eventually([&] {
+      const auto requests = desk_.update();
+      if (!requests.emergency_stop) in_one_go = in_one_go && !requests.reset;
+      EXPECT_FALSE(requests.emergency_stop && requests.reset);
+      return requests.emergency_stop.has_value();
+    }));
+  }
+  EXPECT_TRUE(in_one_go);
+}
+
 TEST_F(OperatorDeskTest, OldWordsDoNotCountButAnEmergencyStopDoes) {
   scarab_Operator old{};
   old.header.stamp_ns = bus::now_ns() - 60'000'000'000;

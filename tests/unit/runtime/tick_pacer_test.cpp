@@ -36,6 +36,16 @@ TEST_F(TickPacerTest, CountsEachTicksLateness) {
   EXPECT_NEAR(pacer_.jitter().sum_s(), 0.043, 1e-9);
 }
 
+TEST_F(TickPacerTest, CountsFromBeginningToBeginningButNotAcrossARestart) {
+  for (const int begun_ms : {0, 105, 200}) pacer_.tick_begins(at(begun_ms));
+  EXPECT_EQ(pacer_.cycle().total(), 2U);
+  EXPECT_NEAR(pacer_.cycle().sum_s(), 0.2, 1e-9);
+  EXPECT_NEAR(pacer_.cycle().max_s(), 0.105, 1e-9);
+  pacer_.restart(at(5000));  // a pause
+  pacer_.tick_begins(at(5000));
+  EXPECT_EQ(pacer_.cycle().total(), 2U);
+}
+
 TEST_F(TickPacerTest, CountsOnlyTicksThatOverran) {
   pacer_.tick_ends(at(99));
   pacer_.tick_ends(at(200));

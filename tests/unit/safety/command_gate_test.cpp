@@ -150,6 +150,8 @@ TEST(CommandGate, RefusesNonsenseFromItsOwner) {
   EXPECT_THROW(CommandGate(small_robot(), 0.0), std::invalid_argument);
   CommandGate gate(small_robot(), kTickPeriod);
   EXPECT_THROW(gate.begin_trial(1, all(std::nan("")), all(0)), std::invalid_argument);
+  EXPECT_THROW(gate.begin_trial(1, all(0), all(std::nan(""))), std::invalid_argument);
+  expect_refused(gate, position(0, 0.1), Outcome::kInactive);
 }
 
 }  // namespace

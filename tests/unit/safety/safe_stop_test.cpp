@@ -45,6 +45,22 @@ TEST(SafeStop, OfAPersonTakesOverFromTheGatesOwn) {
   EXPECT_EQ(gate.safe_stop_reason(), "operator, again");
 }
 
+TEST(SafeStop, OfTheRobotKeepsItsFirstReasonAndIsLatchedAllTheSame) {
+  CommandGate gate = ready_gate();
+  gate.offer(position(0, 0.1));
+  gate.safe_stop("TL0 is too hot");
+  gate.safe_stop("TL1 is too hot");
+  for (std::uint32_t tick = 1; tick < 5; ++tick) {
+    gate.expect(tick);
+    EXPECT_EQ(gate.offer(position(tick, -0.5)).outcome, Outcome::kSafeStop);
+  }
+  EXPECT_EQ(gate.target_rad()[0], 0.1);
+  EXPECT_EQ(gate.safe_stop_reason(), "TL0 is too hot");
+  EXPECT_EQ(gate.counters().safe_stops, 1U);
+  gate.emergency_stop("operator");
+  EXPECT_EQ(gate.safe_stop_reason(), "operator");
+}
+
 TEST(SafeStop, OutlivesTheTrial) {
   CommandGate gate = ready_gate();
   gate.emergency_stop("operator");
@@ -58,6 +74,7 @@ TEST(SafeStop, OutlivesTheTrial) {
 
 TEST(SafeStop, NeverThrows) {
   static_assert(noexcept(std::declval<CommandGate&>().emergency_stop(std::string())));
+  static_assert(noexcept(std::declval<CommandGate&>().safe_stop(std::string())));
   static_assert(noexcept(std::declval<CommandGate&>().end_trial()));
   CommandGate gate(small_robot(), kTickPeriod);  // not even in a trial
   gate.emergency_stop("crash");
@@ -165,8 +182,84 @@ TEST(Homing, EndsAtTheRangeOfAJointThatCannotReachItsHome) {
   EXPECT_LE(gate.target_rad()[0], small_robot().joints[0].max_rad);
 }
 
-TEST(Homing, IsNeededOnlyAfterASafeStop) {
+TEST(Homing, BeginsWhereTheJointsStandAtTheReset) {
+  std::uint32_t tick = 0;
+  CommandGate gate = reset_gate(0.4, tick);
+  gate.emergency_stop("operator");
+  gate.reset(all(-0.2));  // moved by hand while the motors were off
+  EXPECT_EQ(gate.target_rad()[0], -0.2);
+  gate.expect(tick);
+  EXPECT_NEAR(gate.target_rad()[0], -0.2 + kHomingWindow, 1e-12);
+}
+
+TEST(Homing, IsNotBegunFromNowhere) {
+  std::uint32_t tick = 0;
+  CommandGate gate = reset_gate(0.4, tick);
+  gate.emergency_stop("operator");
+  EXPECT_THROW(gate.reset(all(std::nan(""))), std::invalid_argument);
+  EXPECT_TRUE(gate.in_safe_stop());
+  EXPECT_EQ(gate.target_rad()[0], 0.4);
+}
+
+/// A robot that does not stand at its start pose when the trial begins.
+CommandGate far_gate(double held_rad) {
+  CommandGate gate(small_robot(), GateOptions{kTickPeriod, 0.5, 0});
+  gate.begin_trial(1, all(held_rad), all(0));
+  return gate;
+}
+
+TEST(Homing, LeadsToTheStartPoseBeforeTheFirstTick) {
+  CommandGate gate = far_gate(-0.4);
+  EXPECT_TRUE(gate.homing());
+  EXPECT_EQ(gate.target_rad()[0], -0.4);
+  double last = -0.4;
+  int steps = 0;
+  for (; gate.homing() && steps < 100; ++steps) {
+    gate.advance_homing();
+    EXPECT_LE(std::abs(gate.target_rad()[0] - last), kHomingWindow + 1e-12);
+    last = gate.target_rad()[0];
+  }
+  EXPECT_GE(steps, 9) << "eight to go, and one at home";
+  EXPECT_LE(steps, 10);
+  EXPECT_EQ(last, 0);
+  gate.expect(0);
+  EXPECT_EQ(gate.offer(position(0, 0.1)).outcome, Outcome::kAccepted);
+}
+
+TEST(Homing, FromBeyondTheRangeStaysInsideItOnceItIsThere) {
+  CommandGate gate = far_gate(0.8);
+  double last = 0.8;
+  for (int i = 0; gate.homing() && i < 100; ++i) {
+    gate.advance_homing();
+    EXPECT_LE(gate.target_rad()[0], last);
+    last = gate.target_rad()[0];
+  }
+  EXPECT_FALSE(gate.homing());
+  EXPECT_EQ(last, 0);
+}
+
+TEST(Homing, BeforeTheFirstTickWaitsInASafeStop) {
+  CommandGate gate = far_gate(-0.4);
+  gate.advance_homing();
+  gate.safe_stop("the robot lies on its side");
+  const double held = gate.target_rad()[0];
+  for (int i = 0; i < 5; ++i) gate.advance_homing();
+  EXPECT_EQ(gate.target_rad()[0], held);
+  EXPECT_TRUE(gate.homing());
+}
+
+TEST(Homing, OfTheTrialBeforeIsForgotten) {
+  std::uint32_t tick = 0;
+  CommandGate gate = reset_gate(0.4, tick);
+  ASSERT_TRUE(gate.homing());
+  gate.end_trial();
+  gate.begin_trial(2, all(0), all(0));
+  EXPECT_FALSE(gate.homing());
+}
+
+TEST(Homing, IsNeededOnlyAfterASafeStopWhereTheRobotStandsAtHome) {
   CommandGate gate = ready_gate();
+  EXPECT_FALSE(gate.homing());
   gate.reset(gate.target_rad());
   EXPECT_FALSE(gate.homing());
   gate.offer(position(0, 0.5));
