@@ -22,7 +22,7 @@ int main(int argc, char** argv) {
       "  scarab-emulator --robot config/robot/beetle.yaml --plant config/plant/beetle.yaml \\\n"
       "    --config config/robot_bridge/beetle-dynamixel.yaml --device /tmp/robot\n"
       "  scarab-emulator tell runs/20261122-1 silent TR0 for 2\n"
-      "Faults: scarab-emulator tell --help.\n"
+      "Its faults: scarab-emulator tell --help\n"
       "Exit codes: 0 stopped by a signal, or told; 1 it cannot run, 2 bad usage or configuration.");
   emulator::EmulatorOptions options;
   emulator::TellOptions tell;
