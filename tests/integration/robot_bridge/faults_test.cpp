@@ -22,7 +22,7 @@ TEST_F(Faults, EachBringsTheSafeStopAndKeepsItFromBeingReset) {
   ASSERT_TRUE(begin());
   const std::vector<std::string> causes = {
       "CL1 has 95.00 C, more than 70 C",
-      "FR2 draws 9.00 A, more than 2.3 A",
+      "FR2 draws 9.00 A, more than 3 A",
       "the robot draws 60.00 A, more than 25 A",
       "the trunk leans 1.30 rad, more than 0.9 rad",
       "TL2: as configured",
