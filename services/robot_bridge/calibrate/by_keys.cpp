@@ -9,19 +9,27 @@
 namespace scarab::bridge::calibrate {
 namespace {
 
+using Clock = std::chrono::steady_clock;
+
+/// Goals take a step so often; a step is what the speed allows in this time.
 constexpr std::chrono::milliseconds kPeriod{50};
+
+bool ends(Key key) {
+  return key == Key::kEnter || key == Key::kSkip || key == Key::kKeep || key == Key::kQuit;
+}
 
 }  // namespace
 
 ByKeys::ByKeys(Driver& driver, Console& console, const robot::RobotModel& robot,
                const Calibration& nominal, const Calibration& known,
-               const robot::JointVector& reference_rad)
+               const robot::JointVector& reference_rad, std::chrono::milliseconds pace)
     : driver_(driver),
       console_(console),
       robot_(robot),
       nominal_(nominal),
       known_(known),
-      reference_rad_(reference_rad) {
+      reference_rad_(reference_rad),
+      pace_(pace) {
   for (std::size_t joint = 0; joint < robot::kJointCount; ++joint) {
     if (!known.joints[joint]) continue;  // stays in the middle of its travel
     wanted_rad_[joint] = to_servo_rad(*known.joints[joint], reference_rad[joint]);
@@ -32,8 +40,8 @@ ByKeys::ByKeys(Driver& driver, Console& console, const robot::RobotModel& robot,
 bool ByKeys::power() {
   console_.line(
       "This robot does not tell where its joints are, and its motors cannot be switched on "
-      "gently:\nevery joint jumps to its place now. Hold the robot up, legs free. Enter: go on; q: "
-      "leave it.");
+      "gently:\nevery joint jumps to its place now, and holds until the robot is switched off. "
+      "Hold it up, legs free.\nEnter: go on; q: leave it.");
   Key key = Key::kNone;
   while (key != Key::kEnter && key != Key::kQuit) key = console_.key(kPeriod);
   if (key == Key::kQuit) return false;
@@ -50,19 +58,27 @@ void ByKeys::approach() {
 }
 
 ByKeys::Look ByKeys::drive(std::size_t joint, double joint_rad) {
-  const JointCalibration& travel = *nominal_.joints[joint];
-  double& wanted_rad = wanted_rad_[joint];
+  const JointCalibration& travel = nominal_.joints[joint].value();
   for (;;) {
     console_.live(fmt::format("  {}: servo {} of {:+.2f} to {:+.2f}", robot::kJointNames[joint],
-                              angle_words(wanted_rad), travel.min_rad, travel.max_rad));
-    const Key key = console_.key(kPeriod);
+                              angle_words(wanted_rad_[joint]), travel.min_rad, travel.max_rad));
+    const Key key = keys_until_step(wanted_rad_[joint], travel);
+    if (ends(key)) return {key, {wanted_rad_[joint], joint_rad}};
+    approach();
+  }
+}
+
+Key ByKeys::keys_until_step(double& wanted_rad, const JointCalibration& travel) {
+  const auto step_time = Clock::now() + pace_;
+  Key key = Key::kNone;
+  do {
+    const auto left = std::chrono::ceil<std::chrono::milliseconds>(step_time - Clock::now());
+    key = console_.key(std::max(left, std::chrono::milliseconds(0)));
     if (key == Key::kPlus) wanted_rad += kStep_rad;
     if (key == Key::kMinus) wanted_rad -= kStep_rad;
     wanted_rad = std::clamp(wanted_rad, travel.min_rad, travel.max_rad);
-    approach();
-    const bool ends = key == Key::kEnter || key == Key::kSkip || key == Key::kKeep;
-    if (ends || key == Key::kQuit) return {key, {wanted_rad, joint_rad}};
-  }
+  } while (!ends(key) && Clock::now() < step_time);
+  return key;
 }
 
 Finding ByKeys::find(std::size_t joint) {

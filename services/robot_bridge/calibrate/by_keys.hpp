@@ -1,5 +1,6 @@
 #pragma once
 
+#include <chrono>
 #include <cstddef>
 #include <optional>
 
@@ -20,10 +21,11 @@ class ByKeys {
   static constexpr double kSpeed_rad_s = 0.5;
 
   /// `driver`: made with the servos' own scales `nominal` (own_scales()), open. `known`: the file
-  /// as it is. `reference_rad`: the pose of the first look.
+  /// as it is. `reference_rad`: the pose of the first look. `pace`: between two steps of the goals.
   ByKeys(Driver& driver, Console& console, const robot::RobotModel& robot,
          const Calibration& nominal, const Calibration& known,
-         const robot::JointVector& reference_rad);
+         const robot::JointVector& reference_rad,
+         std::chrono::milliseconds pace = std::chrono::milliseconds(50));
 
   /// Warns, and switches the motors on after Enter: every joint then moves to where the file says
   /// that the reference pose is. False: the person would rather not. Throws DeviceError,
@@ -41,6 +43,8 @@ class ByKeys {
 
   /// Moves the joint as the keys say until Enter, s, k or q.
   [[nodiscard]] Look drive(std::size_t joint, double joint_rad);
+  /// Takes keys until it is time for a step, or one of them ends the look.
+  [[nodiscard]] Key keys_until_step(double& wanted_rad, const JointCalibration& travel);
   /// All goals a little on towards where they are wanted.
   void approach();
 
@@ -50,6 +54,7 @@ class ByKeys {
   Calibration nominal_;
   Calibration known_;
   robot::JointVector reference_rad_;
+  std::chrono::milliseconds pace_;
   robot::JointVector wanted_rad_{};  ///< of the servos
   robot::JointVector goal_rad_{};    ///< told to the servos last
 };
