@@ -7,6 +7,7 @@ from typing import List, Sequence
 
 from . import (completion_verb, doctor_verb, experiment_verb, logs_verb, operator_verbs, run_verb,
                sim_verb, status_verb, up_verb)
+from .calibrate_words import OWN_OPTIONS, calibrate_words
 from .config_words import answer_config
 from .failure import EXIT_FAILURE, Failure, Interrupted
 from .places import Places, default_bin, default_runs, default_stack_file
@@ -55,7 +56,9 @@ def all_verbs() -> Verbs:
     verbs.group("the robot, while a trial runs")
     operator_verbs.add_verbs(verbs)
     verbs.group("a real robot, in place of the simulated one")
-    verbs.add_tool("calibrate", "scarab-calibrate", "find how a robot's servos sit in its joints; write its calibration file")
+    verbs.add_tool("calibrate", "scarab-calibrate",
+                   "find how a robot's servos sit in its joints; write its calibration file",
+                   read=calibrate_words, own=OWN_OPTIONS)
     verbs.add_tool("emulator", "scarab-emulator", "emulate a robot's boards; tell the emulator to misbehave",
                    read=emulator_words)
     verbs.group("looking on, and files")

@@ -3,8 +3,8 @@
 from dataclasses import replace
 from typing import Dict, Iterable, List, Sequence
 
-from .completion_emulator import EmulatorValues
 from .completion_logs import LogValues
+from .completion_robot import RobotValues
 from .completion_topics import TopicValues
 from .completion_values import Candidate, Source, Values, said
 from .failure import Failure
@@ -37,19 +37,21 @@ class Completion:
     def _of_tool(self, verb: str, words: List[str], typed: str) -> List[Candidate]:
         syntax, begin = tool_syntax(self._places.program(self._verbs.tools[verb].program), words)
         command, before = words[begin - 1] if begin else "", words[begin:]
-        syntax = replace(syntax, operands=[_of_kind(o, verb, command) for o in syntax.operands])
+        own = {name: Argument(name, name.lstrip("-")) for name in self._verbs.tools[verb].own}
+        syntax = replace(syntax, operands=[_of_kind(o, verb, command) for o in syntax.operands],
+                         options={**own, **syntax.options})
         operands = [before[index] for index in syntax.operands_among(before)]
-        sources = self._sources(verb, words, operands)
-        if verb == "emulator":
-            sources = EmulatorValues(syntax.faults, operands).sources()
+        sources = self._sources(verb, words, operands, syntax)
         return _within(syntax, before, typed, Values(self._places, words, sources))
 
-    def _sources(self, verb: str, words: List[str], operands: List[str]) -> Dict[str, Source]:
+    def _sources(self, verb: str, words: List[str], operands: List[str], syntax: Syntax) -> Dict[str, Source]:
         first = operands[0] if operands else ""
         if verb == "log":
             return LogValues(self._places, first, said(words, "--topic")).sources()
         if verb == "topic":
             return TopicValues(self._places, [*bus_words(words), *self._told(verb, words)], first).sources()
+        if verb in ("emulator", "calibrate"):
+            return RobotValues(syntax.faults, operands).sources()
         return {}
 
     def _told(self, verb: str, words: List[str]) -> List[str]:

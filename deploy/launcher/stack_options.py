@@ -11,6 +11,7 @@ from .stack import Pace
 from .stack_changes import MOST_INSTANCES, StackChanges
 
 DEFAULT_PROFILE = "sim"
+ROBOT_PROFILE = "robot"
 T = TypeVar("T")
 
 

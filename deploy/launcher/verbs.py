@@ -2,7 +2,7 @@
 
 import argparse
 from dataclasses import dataclass
-from typing import Callable, Dict, List, NoReturn, Optional
+from typing import Callable, Dict, List, NoReturn, Optional, Tuple
 
 from .failure import EXIT_USAGE, UsageError
 from .places import Places
@@ -30,6 +30,7 @@ class Tool:
     program: str
     of_stack: Optional[Callable[[RunningStack], List[str]]]  # what it is told of the one that is up
     read: Optional[Callable[[List[str], Places], List[str]]] = None  # its words, of what a person said
+    own: Tuple[str, ...] = ()  # options that the launcher reads for it; each takes a value
 
 
 class Verbs:
@@ -67,11 +68,12 @@ class Verbs:
 
     def add_tool(self, name: str, program: str, text: str,
                  of_stack: Optional[Callable[[RunningStack], List[str]]] = None,
-                 read: Optional[Callable[[List[str], Places], List[str]]] = None) -> None:
+                 read: Optional[Callable[[List[str], Places], List[str]]] = None,
+                 own: Tuple[str, ...] = ()) -> None:
         """A verb that hands on."""
         self._note(name, text)
         self._sub.add_parser(name, add_help=False)
-        self.tools[name] = Tool(program, of_stack, read)
+        self.tools[name] = Tool(program, of_stack, read, own)
 
     def finish(self, examples: str) -> None:
         """After the last one: what all have in common."""

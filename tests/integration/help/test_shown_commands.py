@@ -74,10 +74,12 @@ def fault_of(program, words):
         if verb not in VERBS.tools:
             return f"no verb {verb}"
         program = VERBS.tools[verb].program
+        words = [word for word in words if word.partition("=")[0] not in VERBS.tools[verb].own]
     if not (BIN / program).exists():
         return f"no program {program}"
-    commands = syntax_of(program, "").commands
-    command = next((word for word in words if not word.startswith("-")), "")
+    whole = syntax_of(program, "")
+    commands = whole.commands
+    command = next((words[i] for i in whole.operands_among(words)), "")
     if commands and command and command not in commands:
         return "" if stands_for_others(command) else f"{program} has no command {command}"
     return options_fault(syntax_of(program, command if command in commands else ""), words)

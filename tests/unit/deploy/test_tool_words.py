@@ -1,4 +1,4 @@
-"""What `scarab log`, `topic` and `emulator` understand beyond their tools: the newest run, and slips."""
+"""What `scarab log`, `topic`, `emulator`, `calibrate` understand beyond their tools: the newest run, names, slips."""
 
 import os
 import subprocess
@@ -6,7 +6,7 @@ import tempfile
 import unittest
 from pathlib import Path
 
-from fake_stack import SCARAB
+from fake_stack import SCARAB, SOURCE_ROOT
 
 LOG = """#!/bin/sh
 case "$*" in
@@ -42,7 +42,7 @@ class ToolWords(unittest.TestCase):
         self.addCleanup(room.cleanup)
         self.room = Path(room.name).resolve()
         (self.room / "bin").mkdir()
-        for name in ("scarab-log", "scarab-topic", "scarab-emulator"):
+        for name in ("scarab-log", "scarab-topic", "scarab-emulator", "scarab-calibrate"):
             program = self.room / "bin" / name
             program.write_text(LOG)
             program.chmod(0o755)
@@ -110,6 +110,26 @@ class ToolWords(unittest.TestCase):
         (trials / "stack").symlink_to(Path("..") / stack.name)
         self.assertEqual(self.scarab("emulator", "tell", "latest", "clear")[:2], (3, ["tell", str(stack), "clear"]))
         self.assertEqual(self.scarab("emulator", "tell", "pipe", "clear")[1], ["tell", "pipe", "clear"])
+
+    def test_names_stand_for_the_files_that_are_calibrated_with(self):
+        def files(robot, driver):
+            return ["--robot", f"{SOURCE_ROOT}/config/robot/{robot}.yaml",
+                    "--config", f"{SOURCE_ROOT}/config/robot_bridge/{robot}-{driver}.yaml"]
+
+        for words, said in ((["--check"], [*files("beetle", "dynamixel"), "--check"]),
+                            (["--driver", "amosii", "--again"], [*files("beetle", "amosii"), "--again"]),
+                            (["--robot=phantomx", "--yes"], [*files("phantomx", "dynamixel"), "--yes"]),
+                            (["--robot", "phantomx", "--config", "my.yaml"],
+                             [*files("phantomx", "dynamixel")[:2], "--config", "my.yaml"]),
+                            (["--robot", "a.yaml", "--config", "b.yaml"], ["--robot", "a.yaml", "--config", "b.yaml"])):
+            with self.subTest(words=words):
+                self.assertEqual(self.scarab("calibrate", *words)[:2], (3, said))
+
+    def test_names_that_nobody_can_be_calibrated_with(self):
+        for words, text in ((["--driver", "amosi"], "unknown driver 'amosi' .did you mean 'amosii'"),
+                            (["--driver", "amosii", "--config", "b.yaml"], "--driver and --config contradict"),
+                            (["--robot", "betle"], "unknown robot 'betle' .did you mean 'beetle'")):
+            self.refused(text, 2, "calibrate", *words)
 
     def test_run_without_a_log_is_said(self):
         self.refused("there is no log in runs/latest", 1, "log", "info", "latest")
