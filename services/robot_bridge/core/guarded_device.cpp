@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <exception>
 #include <utility>
 
 namespace scarab::bridge {
@@ -35,7 +36,7 @@ void GuardedDevice::look_for(double now_s) {
     lifecycle_.configure();
     absence_.clear();
     pause_s_ = 0;
-  } catch (const DeviceError& error) {
+  } catch (const std::exception& error) {
     absence_ = error.what();
     attempt_s_ = now_s;
     pause_s_ = std::clamp(2 * pause_s_, kFirstPause_s, kLongestPause_s);
@@ -46,7 +47,7 @@ void GuardedDevice::exchange() {
   if (!present()) return;
   try {
     readings_ = lifecycle_.read();
-  } catch (const DeviceError& error) {
+  } catch (const std::exception& error) {
     lose(error.what());
     return;
   }
@@ -62,7 +63,7 @@ void GuardedDevice::activate() {
     lifecycle_.activate(hold_rad);
     held_rad_ = hold_rad;
     stopped_ = false;
-  } catch (const DeviceError& error) {
+  } catch (const std::exception& error) {
     if (state() == LifecycleState::kUnconfigured && absence_.empty()) lose(error.what());
     in_use_ = was_in_use;
     throw;
@@ -85,7 +86,7 @@ void GuardedDevice::apply(const robot::JointVector& target_rad) {
   try {
     lifecycle_.write(target_rad);
     held_rad_ = target_rad;
-  } catch (const DeviceError& error) {
+  } catch (const std::exception& error) {
     lose(error.what());
   }
 }

@@ -13,8 +13,8 @@
 namespace scarab::bridge {
 
 /// A robot's device as the bridge uses it: looked for until it is there, read and watched, and
-/// written only while its motors are on and nobody has stopped it. A device that fails is a fact
-/// that fault() tells, not an exception. Times come from outside.
+/// written only while its motors are on and nobody has stopped it. A device that fails, whatever
+/// its driver throws, is a fact that fault() tells, not an exception. Times come from outside.
 class GuardedDevice {
  public:
   /// First and longest pause between two attempts to open a device that is not there, s.

@@ -192,6 +192,20 @@ TEST_F(GuardedDeviceTest, ALossWhileNobodyUsesItIsNoFault) {
   EXPECT_EQ(device_.absence(), "no answer to read");
 }
 
+TEST_F(GuardedDeviceTest, WhateverItsDriverThrowsIsALoss) {
+  driver_.fails_oddly = true;
+  driver_.fails = "open";
+  device_.look_for(0);
+  EXPECT_EQ(device_.absence(), "something odd in open");
+  driver_.fails.clear();
+  device_.look_for(1);
+  device_.activate();
+  driver_.fails = "write";
+  device_.apply(home());
+  EXPECT_EQ(device_.fault(), "the device is lost: something odd in write");
+  EXPECT_EQ(driver_.calls.back(), "close");
+}
+
 TEST_F(GuardedDeviceTest, AFailedActivationLeavesMotorsOff) {
   device_.look_for(0);
   driver_.calls.clear();

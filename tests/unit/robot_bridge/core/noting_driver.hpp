@@ -2,6 +2,7 @@
 
 #include <cstdint>
 #include <optional>
+#include <stdexcept>
 #include <string>
 #include <utility>
 #include <vector>
@@ -40,8 +41,9 @@ class NotingDriver : public Driver {
   [[nodiscard]] std::optional<CrashFrame> crash_frame() const override { return std::nullopt; }
 
   std::vector<std::string> calls;
-  std::string fails;  // the call that throws
-  bool stops = true;  // hold() and release() are confirmed
+  std::string fails;         // the call that throws
+  bool fails_oddly = false;  // with another exception than a driver should
+  bool stops = true;         // hold() and release() are confirmed
   bool has_switch = true;
   Readings readings;  // what it reads
   robot::JointVector held_rad{};
@@ -50,7 +52,9 @@ class NotingDriver : public Driver {
  private:
   void note(const std::string& call) {
     calls.push_back(call);
-    if (call == fails) throw DeviceError("no answer to " + call);
+    if (call != fails) return;
+    if (fails_oddly) throw std::runtime_error("something odd in " + call);
+    throw DeviceError("no answer to " + call);
   }
   bool stop(const char* call) noexcept {
     calls.emplace_back(call);
