@@ -33,20 +33,22 @@ void Board::set(const Slots& motors) {
 
 std::optional<Slots> Board::reply_until(serial::Deadline deadline) {
   std::array<std::uint8_t, 64> bytes{};
-  while (parser_.pending() <= kSlotCount) {
-    const std::size_t size = port_.read_some(bytes, deadline);
-    if (size == 0) {
-      ++counters_->replies_missing;
-      return std::nullopt;
-    }
+  while (const std::size_t size = port_.read_some(bytes, deadline)) {
     for (std::size_t i = 0; i < size; ++i) {
       if (const auto reply = parser_.push(bytes[i])) {
         ++counters_->replies;
         return reply;
       }
     }
+    // As much as a reply came, or its end a byte too early. What may still come is a reply behind
+    // the end of an older one, and that would be here soon.
+    const bool is_short = parser_.pending() == kSlotCount && bytes[size - 1] == kTerminator;
+    if (is_short || parser_.pending() > kSlotCount) {
+      deadline = std::min(deadline, Clock::now() + wire_time(std::tuple_size_v<ReplyFrame>));
+    }
   }
-  ++counters_->replies_damaged;
+  const bool is_damaged = parser_.pending() >= kSlotCount;
+  ++(is_damaged ? counters_->replies_damaged : counters_->replies_missing);
   return std::nullopt;
 }
 

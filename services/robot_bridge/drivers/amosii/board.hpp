@@ -21,7 +21,7 @@ struct BoardCounters {
   std::uint64_t sets = 0;
   std::uint64_t gets = 0;
   std::uint64_t replies = 0;
-  std::uint64_t replies_damaged = 0;  ///< as many bytes as a reply has came, and none was one
+  std::uint64_t replies_damaged = 0;  ///< as many bytes as a reply has, but one at most, were none
   std::uint64_t replies_missing = 0;  ///< fewer came in time
 };
 

@@ -31,6 +31,11 @@ test::Bytes one_lost(Bytes reply) {
   return reply;
 }
 
+test::Bytes cut_off(Bytes reply) {
+  reply.resize(20);
+  return reply;
+}
+
 test::Bytes behind_garbage(Bytes reply) {
   reply.insert(reply.begin(), {5, 0, 1});
   return reply;
@@ -143,7 +148,7 @@ TEST(AmosiiDriver, AsksAgainWhenAReplyIsDamaged) {
   FakeBoard board;
   const auto driver = driver_of(board.path());
   driver->open();
-  board.go_wrong({without_terminator, without_terminator});
+  board.go_wrong({without_terminator, one_lost});
   EXPECT_NO_THROW((void)driver->read());
   EXPECT_EQ(counter(*driver, "amosii_replies_damaged"), 2U);
   EXPECT_EQ(counter(*driver, "amosii_gets"), 4U);
@@ -157,7 +162,7 @@ TEST(AmosiiDriver, AsksAgainWhenAReplyIsLate) {
   hasty.attempts = 10;
   const auto driver = driver_of(board.path(), hasty);
   driver->open();
-  board.go_wrong({silent, one_lost});
+  board.go_wrong({silent, cut_off});
   EXPECT_NO_THROW((void)driver->read());
   EXPECT_GE(counter(*driver, "amosii_replies_missing"), 2U);
 }
@@ -171,6 +176,7 @@ TEST(AmosiiDriver, FindsAReplyBehindGarbage) {
   driver->open();
   board.go_wrong({behind_garbage});
   EXPECT_NEAR(driver->read().supply_current_a, 1, 1e-12);
+  EXPECT_EQ(counter(*driver, "amosii_gets"), 2U) << "not asked again";
 }
 
 TEST(AmosiiDriver, GivesUpABoardThatIsSilent) {

@@ -131,6 +131,14 @@ TEST(AmosiiReplyParser, WaitsWhereTheTerminatorIsWrong) {
   EXPECT_EQ(parser.pending(), frame.size());
 }
 
+TEST(AmosiiReplyParser, FillsUpNoReplyWithBytesFromBeforeItWasAsked) {
+  const ReplyFrame frame = encode_reply(some_sensors());
+  ReplyParser parser;
+  parser.push(33);
+  parser.expect();
+  for (std::size_t i = 1; i < frame.size(); ++i) EXPECT_FALSE(parser.push(frame[i]).has_value());
+}
+
 TEST(AmosiiReplyParser, InStepTakesZerosOfInputsThatMayReadIt) {
   for (const std::size_t slot : {3, 7, 8, 16, 17, 29, 31}) {
     ReplyFrame frame = encode_reply(some_sensors());
