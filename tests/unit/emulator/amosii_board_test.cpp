@@ -6,19 +6,16 @@
 #include "common/config/robot_file.hpp"
 #include "services/robot_bridge/calibration_file.hpp"
 #include "services/robot_bridge/config.hpp"
+#include "tests/unit/emulator/suffering.hpp"
 #include "tools/emulator/boards/amosii/board.hpp"
-#include "tools/emulator/faults/fault_text.hpp"
 
 /// The board's line (facts: the laboratory's public serial interface to it; protocol/frames.hpp).
 namespace scarab::emulator {
 namespace {
 
 using ::testing::IsEmpty;
+using testing::suffering;
 using Bytes = std::vector<std::uint8_t>;
-
-Effects suffering(const std::string& text) {
-  return effects_of({std::get<Fault>(parse_fault_order(text))});
-}
 
 /// A set frame with every servo in the middle of its travel, worked out by hand
 /// (tests/unit/robot_bridge/amosii/frames_test.cpp shows how).

@@ -7,7 +7,7 @@
 #include <cmath>
 
 #include "tests/unit/emulator/dynamixel_rig.hpp"
-#include "tools/emulator/faults/fault_text.hpp"
+#include "tests/unit/emulator/suffering.hpp"
 
 namespace scarab::emulator {
 namespace {
@@ -17,10 +17,7 @@ using testing::DynamixelRig;
 using ::testing::ElementsAre;
 using testing::hex;
 using ::testing::IsEmpty;
-
-Effects suffering(const std::string& text) {
-  return effects_of({std::get<Fault>(parse_fault_order(text))});
-}
+using testing::suffering;
 
 class Board : public ::testing::Test {
  protected:

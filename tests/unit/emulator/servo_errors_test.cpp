@@ -1,8 +1,8 @@
 #include <gmock/gmock.h>
 
 #include "tests/unit/emulator/dynamixel_rig.hpp"
+#include "tests/unit/emulator/suffering.hpp"
 #include "tools/emulator/boards/dynamixel/servo_table.hpp"
-#include "tools/emulator/faults/fault_text.hpp"
 
 /// The error byte of a status (e-Manual, Protocol 2.0, "Error").
 namespace scarab::emulator {
@@ -14,10 +14,7 @@ using testing::DynamixelRig;
 using ::testing::ElementsAre;
 using testing::hex;
 using ::testing::IsEmpty;
-
-Effects suffering(const std::string& text) {
-  return effects_of({std::get<Fault>(parse_fault_order(text))});
-}
+using testing::suffering;
 
 class ServoErrors : public ::testing::Test {
  protected:

@@ -3,7 +3,7 @@
 #include <limits>
 
 #include "tests/unit/emulator/dynamixel_rig.hpp"
-#include "tools/emulator/faults/fault_text.hpp"
+#include "tests/unit/emulator/suffering.hpp"
 
 /// e-Manual, XM430-W350, "Bus Watchdog".
 namespace scarab::emulator {
@@ -79,7 +79,7 @@ TEST_F(BusWatchdog, WatchesOnlyUnderTorque) {
 
 TEST_F(BusWatchdog, AServoThatHearsNothingStops) {
   arm(0);
-  rig.board->suffer(effects_of({std::get<Fault>(parse_fault_order("silent TL0"))}));
+  rig.board->suffer(testing::suffering("silent TL0"));
   rig.say(dxl::ping(7), 150 * kMs);
   rig.board->tick(201 * kMs);
   EXPECT_THAT(rig.noted("watchdog"), ElementsAre("TL0"));
