@@ -36,6 +36,7 @@ BridgeBody::BridgeBody(bus::Participant& participant, std::unique_ptr<Driver> dr
                        const BridgeConfig& config)
     : driver_(std::move(driver)),
       link_(driver_->capabilities().link),
+      has_torque_switch_(driver_->capabilities().torque_switch),
       home_rad_(joint_targets(config.start)),
       tick_ns_(std::llround(config.timing.control_period_s * 1e9)),
       samples_per_tick_(samples_per_tick(config.timing)),
@@ -103,7 +104,9 @@ void BridgeBody::judge() {
 void BridgeBody::rest() noexcept {
   const bool were_on = device_.state() == LifecycleState::kActive;
   device_.rest();
-  if (were_on && device_.present()) spdlog::info("motors off");
+  if (!were_on || !device_.present()) return;
+  spdlog::info(has_torque_switch_ ? "motors off"
+                                  : "no more goals; the device cannot switch its motors off");
 }
 
 void BridgeBody::safe_stop() noexcept { device_.safe_stop(); }

@@ -54,6 +54,7 @@ class BridgeBody : public runtime::TickBody {
 
   std::unique_ptr<Driver> driver_;
   std::string link_;
+  bool has_torque_switch_;
   robot::JointVector home_rad_;
   std::int64_t tick_ns_;
   unsigned samples_per_tick_;
