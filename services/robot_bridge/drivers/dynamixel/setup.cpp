@@ -131,7 +131,7 @@ std::vector<ServoLimits> read_limits(ServoGroup& servos) {
     const std::int64_t other_end = goal_ticks(servo, reached.max_rad);
     const std::int64_t low = std::min(one_end, other_end);
     const std::int64_t high = std::max(one_end, other_end);
-    if (high < min[i] || low > max[i]) {
+    if (min[i] > max[i] || high < min[i] || low > max[i]) {
       throw DeviceError(servos.bus().path() + ": " + servos.name_of(i) + " takes goals from " +
                         std::to_string(min[i]) + " to " + std::to_string(max[i]) +
                         ", its calibration means " + std::to_string(low) + " to " +
