@@ -60,7 +60,7 @@ TEST_F(Launcher, RunThatFailsSaysSo) {
 
 TEST_F(Launcher, ServiceThatCannotGoOnEndsTheStartAtOnce) {
   const std::string file = directory_ / "logger.yaml";
-  write_text(file, "extends: " + source_file("config/logger/default.yaml") +
+  write_text(file, "extends: " + source_file("config/logger/default.yaml").string() +
                        "\nfree_disk_mib: 1073741824\n");
   const auto begin = std::chrono::steady_clock::now();
   const auto result =
