@@ -37,7 +37,6 @@ void Bus::tell(const Packet& instruction) {
   const Bytes frame = encode(instruction);
   told_at_ = Clock::now();
   port().write(frame, told_at_ + time_of(frame.size()) + seconds(options_.reply_timeout_s));
-  counters_.bytes_sent += frame.size();
 }
 
 Status Bus::ask(const Packet& instruction, std::size_t data_bytes) {

@@ -26,7 +26,6 @@ struct BusCounters {
   std::uint64_t wrong_answers = 0;  ///< from a device or of a length that was not asked
   std::uint64_t refusals = 0;       ///< answers with an error number
   std::uint64_t echoes = 0;         ///< own instructions heard
-  std::uint64_t bytes_sent = 0;
   std::uint64_t bytes_received = 0;
   std::uint64_t bytes_late = 0;  ///< of answers to a question that was given up
 };
