@@ -63,7 +63,10 @@ ByKeys::Look ByKeys::drive(std::size_t joint, double joint_rad) {
     console_.live(fmt::format("  {}: servo {} of {:+.2f} to {:+.2f}", robot::kJointNames[joint],
                               angle_words(wanted_rad_[joint]), travel.min_rad, travel.max_rad));
     const Key key = keys_until_step(wanted_rad_[joint], travel);
-    if (ends(key)) return {key, {wanted_rad_[joint], joint_rad}};
+    if (ends(key)) {
+      wanted_rad_[joint] = goal_rad_[joint];  // what the person saw, not where it was going
+      return {key, {goal_rad_[joint], joint_rad}};
+    }
     approach();
   }
 }

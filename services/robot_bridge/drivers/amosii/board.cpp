@@ -12,6 +12,10 @@ using serial::Clock;
 /// A line that takes no bytes for so long is stuck: it is emptied at the baud rate.
 constexpr Clock::duration kWriteTimeout = std::chrono::milliseconds(50);
 
+/// What has arrived is read even when the deadline has passed meanwhile, but of a line that never
+/// falls silent no more than this.
+constexpr std::size_t kFlood = 512;
+
 Clock::duration wire_time(std::size_t size) {
   return std::chrono::duration_cast<Clock::duration>(
       std::chrono::duration<double>(wire_time_s(size)));
@@ -33,7 +37,8 @@ void Board::set(const Slots& motors) {
 
 std::optional<Slots> Board::reply_until(serial::Deadline deadline) {
   std::array<std::uint8_t, 64> bytes{};
-  while (const std::size_t size = port_.read_some(bytes, deadline)) {
+  std::size_t size = port_.read_some(bytes, deadline);
+  while (size > 0) {
     for (std::size_t i = 0; i < size; ++i) {
       if (const auto reply = parser_.push(bytes[i])) {
         ++counters_->replies;
@@ -46,6 +51,7 @@ std::optional<Slots> Board::reply_until(serial::Deadline deadline) {
     if (is_short || parser_.pending() > kSlotCount) {
       deadline = std::min(deadline, Clock::now() + wire_time(std::tuple_size_v<ReplyFrame>));
     }
+    size = parser_.pending() < kFlood ? port_.read_some(bytes, deadline) : 0;
   }
   const bool is_damaged = parser_.pending() >= kSlotCount;
   ++(is_damaged ? counters_->replies_damaged : counters_->replies_missing);

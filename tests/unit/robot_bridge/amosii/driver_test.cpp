@@ -36,6 +36,9 @@ test::Bytes cut_off(Bytes reply) {
   return reply;
 }
 
+/// Less than what the kernel keeps for a reader, so that the board does not wait for one.
+test::Bytes flood(const Bytes& /*reply*/) { return Bytes(1000, 7); }
+
 test::Bytes behind_garbage(Bytes reply) {
   reply.insert(reply.begin(), {5, 0, 1});
   return reply;
@@ -195,6 +198,17 @@ TEST(AmosiiDriver, GivesUpABoardThatIsSilent) {
   EXPECT_GE(Clock::now() - begin, std::chrono::milliseconds(60));
   EXPECT_LT(Clock::now() - begin, std::chrono::seconds(3));
   EXPECT_THROW((void)driver->read(), DeviceError) << "it is closed again";
+}
+
+TEST(AmosiiDriver, IsNotKeptByALineThatNeverFallsSilent) {
+  FakeBoard board;
+  const auto driver = driver_of(board.path());
+  driver->open();
+  board.go_wrong({flood, flood, flood});
+  const auto begin = Clock::now();
+  EXPECT_THROW((void)driver->read(), DeviceError);
+  EXPECT_LT(Clock::now() - begin, std::chrono::seconds(5));
+  EXPECT_EQ(counter(*driver, "amosii_replies_damaged"), 3U);
 }
 
 TEST(AmosiiDriver, SaysThatItIsUnplugged) {
