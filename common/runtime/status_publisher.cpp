@@ -12,7 +12,7 @@
 namespace scarab::runtime {
 namespace {
 
-constexpr std::size_t kCountersMost = 32;  // bound of ServiceStatus.counters
+constexpr std::size_t kCountersMost = 64;  // bound of ServiceStatus.counters
 
 }  // namespace
 

@@ -79,7 +79,7 @@ class Driver {
 
   [[nodiscard]] virtual Capabilities capabilities() const = 0;
   /// What has been counted since the program started (frames, retries, errors by kind), by names of
-  /// at most 47 characters; at most 11, which service_status has room for.
+  /// at most 47 characters; at most 40, which service_status has room for.
   [[nodiscard]] virtual std::vector<std::pair<std::string, std::uint64_t>> counters() const = 0;
   /// What a signal handler writes while the process dies; asked for after each activate(). None if
   /// the device cannot switch its motors off.
