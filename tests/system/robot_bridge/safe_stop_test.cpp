@@ -156,8 +156,9 @@ TEST_F(SafeStop, SilentServo) {
 TEST_F(SafeStop, HotServo) {
   walk();
   const auto cause_ns = misbehave({"hot", "CL1", "75"});
-  // Temperatures are read in turn: a full round, and the confirmations.
-  await_stillness("hot servo", cause_ns, (19 + kConfirmations) * kSensorPeriodNs * 4);
+  // Each reading asks one of 19 servos for its temperature or its torque: two rounds at most.
+  await_stillness("hot servo", cause_ns,
+                  (2 * 19 + kConfirmations) * kSensorPeriodNs + kSchedulingNs);
   expect_reason("CL1");
   // It is not to be reset as long as it is hot.
   say(scarab_OPERATOR_RESET, "too early");
