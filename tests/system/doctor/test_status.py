@@ -48,7 +48,7 @@ class Status(DoctorCase):
         self.assertAlmostEqual(stack["real_time_factor"], 1.0, delta=0.25)
         self.assertAlmostEqual(stack["ticks_per_s"], 10 * stack["real_time_factor"], delta=0.5)
         timing = next(p for p in stack["processes"] if p["name"] == "plant")["histograms"]
-        self.assertEqual(set(timing), {"command_age", "tick_jitter", "tick_overrun"})
+        self.assertEqual(set(timing), {"command_age", "tick_cycle", "tick_jitter", "tick_overrun"})
         for name, values in timing.items():
             if name != "tick_overrun":  # there may have been none
                 self.assertGreater(values["count"], 0)
