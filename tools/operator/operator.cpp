@@ -96,6 +96,9 @@ int exchange_order(Exchange& exchange, const runtime::BusOptions& bus_options, c
       kEffectLimit + order.times * kTickLimit);
   if (!answer) return fail(bus::to_string(*who) + " has gone since it took '" + order.name + "'");
   if (!for_master && answer->health != scarab_HEALTH_OK) return fail(sentence(*answer));
+  const bool refused = order.command == scarab_OPERATOR_RESET &&
+                       !shows_effect(order, before.value_or(*answer), *answer);
+  if (refused) return fail(sentence(*answer));
   std::cout << sentence(*answer) << '\n';
   return runtime::kExitSuccess;
 }

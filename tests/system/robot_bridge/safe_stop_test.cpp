@@ -161,8 +161,9 @@ TEST_F(SafeStop, HotServo) {
                   (2 * 19 + kConfirmations) * kSensorPeriodNs + kSchedulingNs);
   expect_reason("CL1");
   // It is not to be reset as long as it is hot.
-  say(scarab_OPERATOR_RESET, "too early");
-  expect_reason("CL1");
+  const Finished reset = run({program("scarab-operator"), "--tag", test_tag(), "reset"});
+  EXPECT_EQ(reset.exit_code, 1);
+  EXPECT_THAT(reset.err, HasSubstr("reset refused: CL1"));
   EXPECT_TRUE(stack_->tell({"clear"}));
 }
 
