@@ -66,10 +66,17 @@ TEST_F(LauncherRobot, EmulatedRunLeavesWhatARunOfThePlantLeaves) {
   EXPECT_THAT(attachments.out, HasSubstr("config/calibration-beetle-dynamixel.yaml"));
 }
 
-TEST_F(LauncherRobot, EmulatorThatWasKilledIsPluggedInAgain) {
+TEST_F(LauncherRobot, EmulatedRobotIsUnpluggedAndKilledAndFoundAgain) {
   up(kEmulated);
-  EXPECT_EQ(status().exit_code, 0) << status().out;
-  EXPECT_THAT(status().out, HasSubstr("robot_bridge"));
+  const auto tell = [&](const std::string& word) {
+    return run(tool({"emulator", "tell", "latest", word})).exit_code;
+  };
+  ASSERT_EQ(tell("unplug"), 0);
+  EXPECT_TRUE(eventually([&] { return status().out.find("unconfigured") != std::string::npos; }))
+      << status().out;
+  EXPECT_EQ(tell("clear"), 0);
+  EXPECT_TRUE(eventually([&] { return status().exit_code == 0; })) << status().out;
+  EXPECT_EQ(tell("sulk"), 2);
   ::kill(pid_of(run_directory(), "emulator"), SIGKILL);
   const auto crashes = run_directory() / "pids" / "emulator.crashes";
   EXPECT_TRUE(
@@ -103,17 +110,6 @@ TEST_F(LauncherRobot, PortThatIsNotThereStartsNothing) {
   EXPECT_EQ(result.exit_code, 1);
   EXPECT_THAT(result.err, HasSubstr("there is no /dev/no-such"));
   EXPECT_FALSE(fs::exists(runs_));
-}
-
-TEST_F(LauncherRobot, OrdersReachTheEmulatorOfTheNewestStack) {
-  up(kEmulated);
-  const auto told = run(tool({"emulator", "tell", "latest", "unplug"}));
-  ASSERT_EQ(told.exit_code, 0) << told.err;
-  EXPECT_TRUE(eventually([&] { return status().out.find("unconfigured") != std::string::npos; }))
-      << status().out;
-  EXPECT_EQ(run(tool({"emulator", "tell", "latest", "clear"})).exit_code, 0);
-  EXPECT_TRUE(eventually([&] { return status().exit_code == 0; })) << status().out;
-  EXPECT_EQ(run(tool({"emulator", "tell", "latest", "sulk"})).exit_code, 2);
 }
 
 }  // namespace
