@@ -1,75 +1,12 @@
-"""The profile of a robot: its bridge, its port, its driver, and what stands in for it."""
+"""The profile of a robot: its bridge, and what stands in for the robot."""
 
 import os
-import pty
-import re
 import signal
-import tempfile
 import unittest
-from pathlib import Path
 
 import yaml
-from fake_stack import FakeStackTest, wait_until
-from launcher.failure import UsageError
-from launcher.stack_changes import StackChanges
-from launcher.stack_file import read_stack
-
-STACK = """
-robot: beetle
-driver: amosii
-bus: {interface: lo, tag: ""}
-log_level: info
-timing: {ready_s: 20}
-restart: {first_s: 0.01, longest_s: 0.05, forget_s: 30}
-services:
-  emulator: {binary: scarab-emulator, hardware: true, plant: FOLDER/plant.yaml, instances: 1, restart: always,
-             stop_s: 20}
-  logger: {binary: scarab-logger, instances: 1, restart: always, stop_s: 20}
-  plant: {binary: scarab-plant, instances: 1, restart: between_trials, stop_s: 20, tick_master: true}
-  robot_bridge: {binary: scarab-robot-bridge, instances: 1, restart: between_trials, stop_s: 20, tick_master: true,
-                 paces: [realtime], device: true, robot: "FOLDER/robot.yaml", config: "FOLDER/bridge-{driver}.yaml"}
-profiles:
-  sim: {services: [logger, plant]}
-  robot: {services: [logger, robot_bridge], emulated: [emulator]}
-"""
-
-
-class RobotCase(FakeStackTest):
-    domain = 20
-
-    def setUp(self):
-        super().setUp()
-        RobotCase.domain += 1
-        self.words = ("--profile", "robot", "--domain", str(RobotCase.domain))
-        self.stack_file.write_text(STACK.replace("FOLDER", str(self.folder)))
-        for name in ("plant", "other-plant", "robot", "bridge-amosii", "calibration"):
-            (self.folder / f"{name}.yaml").write_text(f"name: {name}\n")
-
-    def a_port(self):
-        """A terminal of the test's own, open at its other end alone."""
-        ours, other = pty.openpty()
-        self.addCleanup(os.close, ours)
-        port = os.ttyname(other)
-        os.close(other)
-        return port
-
-    def configure(self, port):
-        self.order("scarab-robot-bridge", "configuration",
-                   f"driver: amosii\namosii: {{port: {port}}}\n"
-                   f"calibration: {self.folder}/calibration.yaml\n")
-
-    def refused(self, verb, *words):
-        """The one line of it; nothing was started."""
-        code, out, err = self.scarab(verb, *words)
-        self.assertEqual((code, out), (2, ""), err)
-        self.assertEqual(len(err.splitlines()), 1, err)
-        self.assertEqual(self.journal(), [])
-        self.assertFalse(self.runs.exists())
-        return err
-
-    def events(self, word):
-        log = (self.run_directory() / "logs" / "launcher.log").read_text()
-        return re.findall(rf"{word} service=(\w+)", log)
+from fake_stack import wait_until
+from robot_case import RobotCase
 
 
 class Emulated(RobotCase):
@@ -200,73 +137,6 @@ class Emulated(RobotCase):
         wait_until(lambda: self.living() == [], "everything has ended")
 
 
-class Port(RobotCase):
-    def fails(self, *words):
-        """What is said of a port; nothing was started."""
-        code, out, err = self.scarab("up", *self.words, *words)
-        self.assertEqual((code, out), (1, ""), err)
-        self.assertEqual(self.journal(), [])
-        self.assertFalse(self.runs.exists())
-        return err
-
-    def test_configured_one_is_left_to_the_bridge(self):
-        self.configure(self.a_port())
-        self.assertEqual(self.scarab("up", *self.words)[0], 0)
-        self.assertNotIn("--device", self.command_of("scarab-robot-bridge"))
-        self.assertNotIn(("start", "scarab-emulator"), self.journal())
-
-    def test_other_one_is_handed_to_the_bridge_alone(self):
-        self.configure("/dev/no-such-port")
-        port = self.a_port()
-        self.assertEqual(self.scarab("up", *self.words, "--device", port)[0], 0)
-        self.assertEqual(self.command_of("scarab-robot-bridge")["--device"], port)
-        self.assertNotIn("--device", self.command_of("scarab-logger"))
-
-    def test_one_that_is_not_there_is_said_at_once(self):
-        self.configure("/dev/no-such-port")
-        self.assertRegex(self.fails(), "there is no /dev/no-such-port. Plug the robot in, .*--device PATH.*--emulated")
-        self.assertIn("there is no /dev/nor-this", self.fails("--device", "/dev/nor-this"))
-
-    def test_one_that_is_a_file(self):
-        self.configure(self.stack_file)
-        self.assertIn(f"{self.stack_file} is no device", self.fails())
-
-    def test_one_that_somebody_else_has_open(self):
-        port = self.a_port()
-        self.configure(port)
-        held = os.open(port, os.O_RDWR | os.O_NOCTTY)
-        self.addCleanup(os.close, held)
-        self.assertRegex(self.fails(), rf"{port} is open in test_robot.py \(pid {os.getpid()}\)")
-
-    def test_driver_without_a_port_needs_none(self):
-        self.order("scarab-robot-bridge", "configuration", "driver: amosii\namosii: {delay_s: 0}\n")
-        self.assertEqual(self.scarab("up", *self.words)[0], 0)
-
-
-class Doctor(RobotCase):
-    def finding(self, *words):
-        code, out, err = self.scarab("doctor", "device", *words)
-        self.assertEqual(err, "")
-        return code, " ".join(out.split())
-
-    def test_port(self):
-        port = self.a_port()
-        self.configure(port)
-        self.assertEqual(self.finding(*self.words),
-                         (0, f"ok device {port} is there, may be opened, and is free no problems"))
-        held = os.open(port, os.O_RDWR | os.O_NOCTTY)
-        code, text = self.finding(*self.words)
-        os.close(held)
-        self.assertEqual(code, 1)
-        self.assertRegex(text, rf"PROBLEM device {port} is open in test_robot.py .* garble each other's frames.")
-        code, text = self.finding(*self.words, "--device", "/dev/no-such-port")
-        self.assertEqual(code, 1)
-        self.assertIn("there is no /dev/no-such-port", text)
-
-    def test_profile_without_a_robot(self):
-        self.assertEqual(self.finding(), (0, "ok device the profile drives no robot no problems"))
-
-
 class Refusals(RobotCase):
     def test_pace_that_a_robot_does_not_have(self):
         self.assertEqual(self.refused("run", *self.words, "--lockstep"),
@@ -298,48 +168,6 @@ class Refusals(RobotCase):
         self.assertEqual(code, 2, err)
         self.assertIn("an experiment's trials are simulated", err)
         self.assertIn("deploy/scarab run --profile robot", err)
-
-
-class Drivers(unittest.TestCase):
-    """Those that a robot has a configuration for, in a source tree of the test's own."""
-
-    files = ("robot/beetle.yaml", "robot/beetle-long.yaml", "robot/ant.yaml", "robot_bridge/beetle-amosii.yaml",
-             "robot_bridge/beetle-dynamixel.yaml", "robot_bridge/beetle-long-loopback.yaml")
-
-    def setUp(self):
-        folder = tempfile.TemporaryDirectory()
-        self.addCleanup(folder.cleanup)
-        self.root = Path(folder.name)
-        for name in self.files:
-            (self.root / "config" / name).parent.mkdir(parents=True, exist_ok=True)
-            (self.root / "config" / name).write_text("")
-        self.stack_file = self.root / "stack.yaml"
-        self.stack_file.write_text(STACK.replace("FOLDER/bridge-", "config/robot_bridge/{robot}-").replace(
-            "FOLDER/robot", "config/robot/{robot}"))
-
-    def read(self, profile="robot", **changes):
-        return read_stack(self.stack_file, profile, self.root, StackChanges(**changes))
-
-    def test_file_of_the_robot_and_the_driver_is_chosen(self):
-        for changes, name in (({}, "beetle-amosii"), ({"driver": "dynamixel"}, "beetle-dynamixel"),
-                              ({"robot": "beetle-long", "driver": "loopback"}, "beetle-long-loopback")):
-            stack = self.read(**changes)
-            self.assertEqual(stack.service("robot_bridge").config,
-                             self.root / "config" / "robot_bridge" / f"{name}.yaml")
-            self.assertEqual(stack.driver, changes.get("driver", "amosii"))
-
-    def test_profile_without_a_bridge_has_no_driver(self):
-        self.assertEqual(self.read("sim").driver, "")
-
-    def test_unknown_one_is_named_with_those_that_there_are(self):
-        for changes, reason in (
-                ({"driver": "dynamixl"}, r"unknown driver 'dynamixl' \(did you mean 'dynamixel'\?\); "
-                                         "for robot 'beetle' config/robot_bridge has amosii, dynamixel$"),
-                ({"robot": "ant", "driver": "amosii"}, "for robot 'ant' config/robot_bridge has none"),
-                ({"robot": "ant"}, "robot 'ant', driver 'amosii' has no config/robot_bridge/ant-amosii.yaml, which "
-                                   "service robot_bridge reads")):
-            with self.assertRaisesRegex(UsageError, reason):
-                self.read(**changes)
 
 
 class Readiness(RobotCase):
