@@ -18,7 +18,6 @@
 #include "common/runtime/shutdown.hpp"
 #include "common/runtime/status_board.hpp"
 #include "common/runtime/status_publisher.hpp"
-#include "common/runtime/stream_batch.hpp"
 #include "common/runtime/tick_body.hpp"
 #include "common/runtime/tick_pacer.hpp"
 #include "common/runtime/tick_timing.hpp"
@@ -130,7 +129,6 @@ class TickMaster {
   std::uint32_t tick_ = 0;
   bool answered_ = false;             // the command of tick_ has been accepted
   std::int64_t behaviour_tick_ = -1;  // newest seen of this trial: tells who is silent
-  StreamBatch streams_;
   TickPacer pacer_;
   TickTiming timing_;
   TickPacer::TimePoint idle_due_{};  // the body's next idle()

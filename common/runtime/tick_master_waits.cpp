@@ -124,10 +124,12 @@ std::optional<bus::Peer> TickMaster::logger_behind(std::uint32_t lead) const {
 }
 
 /// Keeps the lead over every expected logger small enough that nothing it has not received yet is
-/// overwritten in a writer's history.
+/// overwritten in a writer's history. Two ticks less: the running one, and the last one's samples
+/// that leave with it.
 void TickMaster::await_logger() {
   if (options_.pace != Pace::kLockstep) return;
-  const std::uint32_t lead = streams_.lead();
+  const std::uint32_t kept = std::min(bus::kDepth, bus::kStreamDepth / options_.samples_per_tick);
+  const std::uint32_t lead = std::max(3U, kept) - 2;
   const auto since = Clock::now();
   while (const auto logger = logger_behind(lead)) {
     wait(kPoll);
