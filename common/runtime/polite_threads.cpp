@@ -4,6 +4,7 @@
 #include <sys/syscall.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <cstdint>
 
 namespace scarab::runtime {
@@ -26,6 +27,9 @@ constexpr int kThisThread = 0;
 // The longest there is. What counts is that it is longer than everybody else's: then who wakes up
 // need not wait for the end of ours (EEVDF, Linux 6.12; older ones pass it over).
 constexpr std::uint64_t kSliceNs = 100'000'000;
+// A tenth of the usual weight. On two cores the chain keeps 96 % of its speed beside a recorder at
+// 10, 92 % at 0, 97 % at 19; beside six busy loops a recorder at 10 keeps up, one at 19 does not.
+constexpr std::int32_t kNice = 10;
 
 }  // namespace
 
@@ -35,6 +39,7 @@ bool be_polite() {
     return false;
   }
   attributes.policy = SCHED_BATCH;
+  attributes.nice = std::max(attributes.nice, kNice);
   attributes.runtime_ns = kSliceNs;
   return ::syscall(SYS_sched_setattr, kThisThread, &attributes, 0) == 0;
 }

@@ -6,6 +6,7 @@
 #include <sys/syscall.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <array>
 #include <cstdint>
 #include <thread>
@@ -33,11 +34,22 @@ TEST(PoliteThreads, AreThisOneAndThoseItStarts) {
   EXPECT_EQ(sched_getscheduler(0), SCHED_OTHER);
 }
 
-TEST(PoliteThreads, KeepTheirShareOfTheProcessor) {
+TEST(PoliteThreads, HaveALowerPriorityButAreNotIdle) {
   const int usual = ::getpriority(PRIO_PROCESS, 0);
   std::thread([&] {
     ASSERT_TRUE(be_polite());
-    EXPECT_EQ(::getpriority(PRIO_PROCESS, 0), usual);
+    EXPECT_EQ(::getpriority(PRIO_PROCESS, 0), std::max(usual, 10));
+    int child = usual;
+    std::thread([&] { child = ::getpriority(PRIO_PROCESS, 0); }).join();
+    EXPECT_EQ(child, std::max(usual, 10));
+  }).join();
+}
+
+TEST(PoliteThreads, StayAsLowAsTheUserPutThem) {
+  std::thread([] {
+    ASSERT_EQ(::setpriority(PRIO_PROCESS, 0, 15), 0);  // on Linux: of this thread
+    ASSERT_TRUE(be_polite());
+    EXPECT_EQ(::getpriority(PRIO_PROCESS, 0), 15);
   }).join();
 }
 
