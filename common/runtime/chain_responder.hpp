@@ -5,6 +5,8 @@
 #include <deque>
 #include <optional>
 #include <string>
+#include <utility>
+#include <vector>
 
 #include "common/bus/reader.hpp"
 #include "common/bus/topics.hpp"
@@ -31,8 +33,8 @@ namespace scarab::runtime {
 ///  - `void advance(State&, const Question&)`: from state k-1 to state k;
 ///  - `void answer(const State&, const Question&)`: publishes the answer of state k;
 ///  - `bool ends(const Question&)`: this question is the trial's last;
-///  - `std::optional<RecordKey> adopt(std::uint32_t trial, State&)`: a living replica's state, if
-///    there is one;
+///  - `std::optional<RecordKey> adopt(std::uint32_t trial, State&)`: a living replica's state that
+///    came over the bus, if there is one (those on the same host are found by their files);
 ///  - `bool has_replica()`: a replica lives whose state may still come;
 ///  - `void report(StatusPublisher&)`: adds what the link alone knows; called whenever the bus has
 ///    been looked at.
@@ -58,9 +60,10 @@ class ChainResponder {
         status_(participant, self),
         shutdown_(guard_) {
     if (!options.run_dir.empty()) {
-      const auto name = self.service + "-" + std::to_string(self.instance) + ".state";
-      std::filesystem::create_directories(options.run_dir / "state");
-      file_.emplace(options.run_dir / "state" / name, Link::kStateLayout);
+      const auto directory = options.run_dir / "state";
+      std::filesystem::create_directories(directory);
+      file_.emplace(state_path(directory, self), Link::kStateLayout);
+      replica_files_ = replica_paths(directory, self, options.expect);
     }
     wait_set_.attach(trials_);
     wait_set_.attach(questions_);
@@ -94,6 +97,23 @@ class ChainResponder {
   static constexpr std::chrono::seconds kPatience{1};
   static constexpr std::size_t kHeldMost = 128;
   static constexpr std::int64_t kCatchUpMost = 6000;  // ten minutes: older than any memory
+
+  static std::filesystem::path state_path(const std::filesystem::path& directory,
+                                          const bus::Peer& peer) {
+    return directory / (peer.service + "-" + std::to_string(peer.instance) + ".state");
+  }
+
+  static std::vector<std::filesystem::path> replica_paths(const std::filesystem::path& directory,
+                                                          const bus::Peer& self,
+                                                          const Expectation& expect) {
+    std::vector<std::filesystem::path> paths;
+    const auto own = expect.find(self.service);
+    const std::uint32_t count = own == expect.end() ? 0 : own->second;
+    for (bus::Peer other{self.service, 0}; other.instance < count; ++other.instance) {
+      if (other != self) paths.push_back(state_path(directory, other));
+    }
+    return paths;
+  }
 
   [[nodiscard]] bool waiting_for_peers() const { return trial_ != 0 && !ready_; }
 
@@ -175,14 +195,23 @@ class ChainResponder {
     return true;
   }
 
+  /// From the bus, or on the same host from what it has kept before it answered.
   void adopt_replica() {
     State living;
-    const auto key = link_.adopt(trial_, living);
-    if (!key || key->tick <= tick_) return;
-    state_ = living;
-    tick_ = key->tick;
+    const std::int64_t before = tick_;
+    adopt(link_.adopt(trial_, living), living);
+    for (const auto& path : replica_files_) {
+      adopt(TypedStateFile<State>::peek(path, Link::kStateLayout, living), living);
+    }
+    if (tick_ == before) return;
     status_.set_health(scarab_HEALTH_OK,
                        "took over the state of a living replica at tick " + std::to_string(tick_));
+  }
+
+  void adopt(const std::optional<RecordKey>& key, const State& living) {
+    if (!key || key->trial != trial_ || key->tick <= tick_) return;
+    state_ = living;
+    tick_ = key->tick;
   }
 
   /// For a while after a gap has shown.
@@ -225,6 +254,7 @@ class ChainResponder {
   bus::Reader<Question> questions_;
   StatusPublisher status_;
   std::optional<TypedStateFile<State>> file_;
+  std::vector<std::filesystem::path> replica_files_;
   Shutdown shutdown_;
 
   std::uint32_t trial_ = 0;

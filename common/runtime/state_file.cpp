@@ -8,7 +8,9 @@
 #include <atomic>
 #include <cerrno>
 #include <cstring>
+#include <fstream>
 #include <system_error>
+#include <vector>
 
 namespace scarab::runtime {
 namespace {
@@ -53,67 +55,85 @@ struct StateFile::Slot {
   }
 };
 
+std::size_t StateFile::Form::slot_stride() const {
+  return (sizeof(Slot) + payload_size + kAlignment - 1) / kAlignment * kAlignment;
+}
+
+std::size_t StateFile::Form::file_size() const { return kSlots * slot_stride(); }
+
+bool StateFile::Form::whole(const Slot& slot) const {
+  return slot.magic == kMagic && slot.layout == layout && slot.size == payload_size &&
+         slot.crc == slot.checksum();
+}
+
+const StateFile::Slot* StateFile::Form::newest(const std::byte* memory) const {
+  const Slot* newest = nullptr;
+  for (std::size_t i = 0; i < kSlots; ++i) {
+    const auto* candidate = reinterpret_cast<const Slot*>(memory + i * slot_stride());
+    if (whole(*candidate) && (!newest || candidate->sequence > newest->sequence)) {
+      newest = candidate;
+    }
+  }
+  return newest;
+}
+
 StateFile::StateFile(const std::filesystem::path& path, std::size_t payload_size,
                      std::uint32_t layout)
-    : payload_size_(payload_size),
-      layout_(layout),
-      slot_stride_((sizeof(Slot) + payload_size + kAlignment - 1) / kAlignment * kAlignment) {
+    : form_{payload_size, layout} {
   const auto fail = [&path](const char* what) {
     throw std::system_error(errno, std::generic_category(), path.string() + ": " + what);
   };
   const int file = ::open(path.c_str(), O_RDWR | O_CREAT | O_CLOEXEC, 0644);
   if (file < 0) fail("cannot open the state file");
-  const auto size = kSlots * slot_stride_;
-  if (::ftruncate(file, static_cast<off_t>(size)) != 0) {
+  if (::ftruncate(file, static_cast<off_t>(form_.file_size())) != 0) {
     ::close(file);
     fail("cannot size the state file");
   }
-  void* memory = ::mmap(nullptr, size, PROT_READ | PROT_WRITE, MAP_SHARED, file, 0);
+  void* memory = ::mmap(nullptr, form_.file_size(), PROT_READ | PROT_WRITE, MAP_SHARED, file, 0);
   ::close(file);
   if (memory == MAP_FAILED) fail("cannot map the state file");
   memory_ = static_cast<std::byte*>(memory);
-  for (std::size_t i = 0; i < kSlots; ++i) {
-    if (whole(*slot(i))) sequence_ = std::max(sequence_, slot(i)->sequence);
-  }
+  if (const Slot* newest = form_.newest(memory_)) sequence_ = newest->sequence;
 }
 
-StateFile::~StateFile() { ::munmap(memory_, kSlots * slot_stride_); }
+StateFile::~StateFile() { ::munmap(memory_, form_.file_size()); }
 
-StateFile::Slot* StateFile::slot(std::size_t index) const {
-  return reinterpret_cast<Slot*>(memory_ + index * slot_stride_);
-}
-
-bool StateFile::whole(const Slot& slot) const {
-  return slot.magic == kMagic && slot.layout == layout_ && slot.size == payload_size_ &&
-         slot.crc == slot.checksum();
+std::optional<RecordKey> StateFile::copy(const Form& form, const std::byte* memory, void* payload) {
+  const Slot* newest = form.newest(memory);
+  if (!newest) return std::nullopt;
+  std::memcpy(payload, newest->payload(), form.payload_size);
+  return RecordKey{newest->trial, newest->tick};
 }
 
 std::optional<RecordKey> StateFile::read(void* payload) const {
-  const Slot* newest = nullptr;
-  for (std::size_t i = 0; i < kSlots; ++i) {
-    const Slot* candidate = slot(i);
-    if (whole(*candidate) && (!newest || candidate->sequence > newest->sequence)) {
-      newest = candidate;
-    }
-  }
-  if (!newest) return std::nullopt;
-  std::memcpy(payload, newest->payload(), payload_size_);
-  return RecordKey{newest->trial, newest->tick};
+  return copy(form_, memory_, payload);
+}
+
+std::optional<RecordKey> StateFile::peek(const std::filesystem::path& path,
+                                         std::size_t payload_size, std::uint32_t layout,
+                                         void* payload) {
+  const Form form{payload_size, layout};
+  // Judged by a copy: a record that is being written has no right checksum in it.
+  std::vector<std::byte> memory(form.file_size() + 1);
+  std::ifstream file(path, std::ios::binary);
+  file.read(reinterpret_cast<char*>(memory.data()), static_cast<std::streamsize>(memory.size()));
+  if (static_cast<std::size_t>(file.gcount()) != form.file_size()) return std::nullopt;
+  return copy(form, memory.data(), payload);
 }
 
 void StateFile::write(const RecordKey& key, const void* payload) noexcept {
   // Sequence n goes to slot n mod 2: the other slot keeps the record before, whole, until this one
   // is.
   ++sequence_;
-  Slot* target = slot(sequence_ % kSlots);
+  auto* target = reinterpret_cast<Slot*>(memory_ + (sequence_ % kSlots) * form_.slot_stride());
   target->magic = 0;
   std::atomic_signal_fence(std::memory_order_seq_cst);
-  target->layout = layout_;
-  target->size = payload_size_;
+  target->layout = form_.layout;
+  target->size = form_.payload_size;
   target->sequence = sequence_;
   target->tick = key.tick;
   target->trial = key.trial;
-  std::memcpy(reinterpret_cast<std::byte*>(target) + sizeof(Slot), payload, payload_size_);
+  std::memcpy(reinterpret_cast<std::byte*>(target) + sizeof(Slot), payload, form_.payload_size);
   std::atomic_signal_fence(std::memory_order_seq_cst);
   target->magic = kMagic;
   target->crc = target->checksum();

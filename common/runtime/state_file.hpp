@@ -27,18 +27,31 @@ class StateFile {
   StateFile(const StateFile&) = delete;
   StateFile& operator=(const StateFile&) = delete;
 
+  /// Reads another process's file, which may be writing it: its newest whole record, as read().
+  /// Nothing, too, if there is no such file or its records are others'. Never changes the file.
+  static std::optional<RecordKey> peek(const std::filesystem::path& path, std::size_t payload_size,
+                                       std::uint32_t layout, void* payload);
+
   /// The newest whole record: its payload is copied to `payload`; nothing if there is none.
   std::optional<RecordKey> read(void* payload) const;
   void write(const RecordKey& key, const void* payload) noexcept;
 
  private:
   struct Slot;
-  [[nodiscard]] Slot* slot(std::size_t index) const;
-  [[nodiscard]] bool whole(const Slot& slot) const;
+  /// What a record must be to be ours.
+  struct Form {
+    std::size_t payload_size;
+    std::uint32_t layout;
 
-  std::size_t payload_size_;
-  std::uint32_t layout_;
-  std::size_t slot_stride_;
+    [[nodiscard]] std::size_t slot_stride() const;
+    [[nodiscard]] std::size_t file_size() const;
+    [[nodiscard]] bool whole(const Slot& slot) const;
+    /// In all of a file; nullptr if there is none.
+    [[nodiscard]] const Slot* newest(const std::byte* memory) const;
+  };
+  static std::optional<RecordKey> copy(const Form& form, const std::byte* memory, void* payload);
+
+  Form form_;
   std::byte* memory_ = nullptr;
   std::uint64_t sequence_ = 0;
 };
@@ -51,6 +64,10 @@ class TypedStateFile {
  public:
   TypedStateFile(const std::filesystem::path& path, std::uint32_t layout)
       : file_(path, sizeof(Payload), layout) {}
+  static std::optional<RecordKey> peek(const std::filesystem::path& path, std::uint32_t layout,
+                                       Payload& payload) {
+    return StateFile::peek(path, sizeof(Payload), layout, &payload);
+  }
   std::optional<RecordKey> read(Payload& payload) const { return file_.read(&payload); }
   void write(const RecordKey& key, const Payload& payload) noexcept { file_.write(key, &payload); }
 

@@ -79,21 +79,28 @@ TEST_F(Crash, BothAtOnce) {
   expect_as_undisturbed(stack);
 }
 
+class CrashOfReplica : public Crash, public testing::WithParamInterface<const char*> {
+ protected:
+  Stack::Options options() const {
+    Stack::Options options;
+    options.replicas = {{GetParam(), 2}};
+    return options;
+  }
+};
+
 /// Nobody restarts the killed one: without the other the trial would end after 10 s.
-TEST_F(Crash, ReplicaGoesOnWithoutAPauseWhicheverIsKilled) {
+TEST_P(CrashOfReplica, TheOtherGoesOnWithoutAPause) {
   const std::uint64_t seed = test_seed();
   std::mt19937_64 generator(seed);
   for (const std::uint32_t instance : {0U, 1U}) {
     const double part = std::uniform_real_distribution<double>(0.05, 0.8)(generator);
-    SCOPED_TRACE("SCARAB_TEST_SEED=" + std::to_string(seed) + ": premotor/" +
+    SCOPED_TRACE("SCARAB_TEST_SEED=" + std::to_string(seed) + ": " + GetParam() + "/" +
                  std::to_string(instance) + " killed after " + std::to_string(part));
-    Stack::Options options;
-    options.premotors = 2;
-    Stack stack(directory_ / ("stack-" + std::to_string(instance)), options);
+    Stack stack(directory_ / ("stack-" + std::to_string(instance)), options());
     View view;
     auto experiment = stack.conduct(main_trial());
     ASSERT_TRUE(view.await_tick(static_cast<std::int64_t>(part * static_cast<double>(last_tick_))));
-    stack.kill("premotor", instance);
+    stack.kill(GetParam(), instance);
     ASSERT_LT(view.tick(), last_tick_) << "too late: the trial is over";
     finish(stack, experiment);
     // A pause of 1 s would have been reported.
@@ -102,21 +109,22 @@ TEST_F(Crash, ReplicaGoesOnWithoutAPauseWhicheverIsKilled) {
   }
 }
 
-TEST_F(Crash, ReplicaThatIsRestartedTakesPartAgain) {
-  Stack::Options options;
-  options.premotors = 2;
-  Stack stack(directory_ / "stack", options);
+TEST_P(CrashOfReplica, OneThatIsRestartedTakesPartAgain) {
+  Stack stack(directory_ / "stack", options());
   auto experiment = stack.conduct(main_trial());
   for (const std::uint32_t instance : {0U, 1U}) {  // in the end neither is the one of the start
     ASSERT_TRUE(await_part(0.2 + 0.4 * instance)) << experiment.out() << stack.errors();
-    stack.kill("premotor", instance);
-    stack.restart("premotor", instance);
-    const bus::Peer peer{"premotor", instance};
-    ASSERT_TRUE(status_.await_ready(peer, 1, stack.service("premotor", instance).pid()));
+    stack.kill(GetParam(), instance);
+    stack.restart(GetParam(), instance);
+    const bus::Peer peer{GetParam(), instance};
+    ASSERT_TRUE(status_.await_ready(peer, 1, stack.service(GetParam(), instance).pid()));
   }
   finish(stack, experiment);
   expect_as_undisturbed(stack);
 }
+
+INSTANTIATE_TEST_SUITE_P(Services, CrashOfReplica, testing::Values("premotor", "supervisor"),
+                         [](const auto& service) { return service.param; });
 
 TEST_F(Crash, KillOfThePlantFailsTheTrialSoon) {
   Stack stack(directory_ / "stack");

@@ -35,9 +35,9 @@ class RealTimeStack : public testing::Test {
     std::cout << "SCARAB_TEST_SEED=" << seed_ << " repeats these moments\n";
   }
 
-  static Stack::Options options(unsigned premotors) {
+  static Stack::Options options(const std::map<std::string, unsigned>& replicas = {}) {
     Stack::Options options;
-    options.premotors = premotors;
+    options.replicas = replicas;
     options.real_time = true;
     return options;
   }
@@ -80,7 +80,7 @@ TEST_F(RealTimeStack, SameBytesAsInLockstepIfEveryCommandIsInTime) {
   // has several goes.
   bool in_time = false;
   for (int go = 0; go < 4 && !in_time; ++go) {
-    Stack stack(directory_ / std::to_string(go), options(1));
+    Stack stack(directory_ / std::to_string(go), options());
     Keeper keeper(stack);
     auto experiment = stack.conduct(short_trial("5"));
     const auto plant = finish(stack, keeper, experiment);
@@ -96,7 +96,7 @@ TEST_F(RealTimeStack, SameBytesAsInLockstepIfEveryCommandIsInTime) {
 }
 
 TEST_F(RealTimeStack, ReplicaLetsNoTickBeMissedWhicheverIsKilled) {
-  Stack stack(directory_ / "stack", options(2));
+  Stack stack(directory_ / "stack", options({{"premotor", 2}}));
   Keeper keeper(stack);
   auto experiment = stack.conduct(short_trial("6"));
   kill_after(5, keeper, "premotor", 0);
@@ -122,7 +122,7 @@ TEST_F(RealTimeStack, ReplicaLetsNoTickBeMissedWhicheverIsKilled) {
 /// Premotor and supervisor have no replica here: while one is away ticks go unanswered, but it is
 /// back, with its state, before the gate loses patience.
 TEST_F(RealTimeStack, RestartedServiceIsBackBeforeTheSafeStop) {
-  Stack stack(directory_ / "stack", options(1));
+  Stack stack(directory_ / "stack", options());
   Keeper keeper(stack);
   auto experiment = stack.conduct(short_trial("6"));
   kill_after(5, keeper, "premotor");

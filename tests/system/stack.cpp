@@ -3,13 +3,16 @@
 namespace scarab::test {
 
 Stack::Stack(const std::filesystem::path& directory, const Options& options)
-    : directory_(directory),
-      options_(options),
-      expect_("logger=" + std::to_string(options.witness ? 2 : 1) +
-              ",plant=1,supervisor=1,premotor=" + std::to_string(options.premotors)) {
+    : directory_(directory), options_(options) {
   std::filesystem::create_directories(directory_);
-  std::vector<Key> keys = {{"logger", 0}, {"plant", 0}, {"supervisor", 0}};
-  for (std::uint32_t i = 0; i < options.premotors; ++i) keys.emplace_back("premotor", i);
+  std::vector<Key> keys;
+  for (const std::string service : {"logger", "plant", "supervisor", "premotor"}) {
+    const auto replicas = options.replicas.find(service);
+    const unsigned count = replicas == options.replicas.end() ? 1 : replicas->second;
+    for (std::uint32_t i = 0; i < count; ++i) keys.emplace_back(service, i);
+    const unsigned witnesses = service == "logger" && options.witness ? 1 : 0;
+    expect_ += (expect_.empty() ? "" : ",") + service + "=" + std::to_string(count + witnesses);
+  }
   for (const Key& key : keys) {
     if (options.others.count(key.first) == 0) services_.emplace(key, launch(key));
   }

@@ -13,8 +13,8 @@ namespace scarab::test {
 class Stack {
  public:
   struct Options {
-    unsigned premotors = 1;
-    bool witness = false;  ///< a Witness of the test takes part
+    std::map<std::string, unsigned> replicas = {};  ///< processes of a service; else 1
+    bool witness = false;                           ///< a Witness of the test takes part
     std::string robot = "beetle";
     bool real_time = false;  ///< the plant's pace: by the wall clock, else lockstep
     Host plant_host = {};

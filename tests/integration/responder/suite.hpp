@@ -194,6 +194,47 @@ TYPED_TEST_P(Responder, StateOfAnEarlierTrialIsNotTakenUp) {
   }
 }
 
+/// Whatever came over the bus while it was away is gone, but the other one keeps what it answers
+/// by.
+TYPED_TEST_P(Responder, RestartedReplicaTakesOverFromTheLivingOne) {
+  auto& stand_ins = this->stand_ins_;
+  constexpr std::uint32_t kLast = 30;
+  const auto wanted = this->undisturbed(1, kLast);
+  const std::string expect = std::string(TypeParam::kExpect) + "," + TypeParam::kName + "=2";
+  const auto start_replica = [&](std::uint32_t instance) {
+    auto child = this->start_service(instance, expect);
+    EXPECT_TRUE(this->status_.await_ready({TypeParam::kName, instance}, 2, child.pid()))
+        << child.err();
+    return child;
+  };
+  // The first answer to each, and how many there are.
+  const auto expect_answers = [&](std::uint32_t first, std::uint32_t last, std::size_t count) {
+    for (std::uint32_t tick = first; tick <= last; ++tick) {
+      auto answer = stand_ins.consult(2, tick);
+      ASSERT_TRUE(answer) << "tick " << tick;
+      answer->header.trial = 1;
+      ASSERT_EQ(timeless_bytes(*answer), wanted.at(tick)) << "tick " << tick;
+      ASSERT_TRUE(eventually([&] { return stand_ins.answers().count(2, tick) == count; }))
+          << "tick " << tick;
+    }
+  };
+  stand_ins.tell_trial(2);
+  auto first = start_replica(0);
+  {
+    auto second = start_replica(1);
+    expect_answers(0, 5, 2);
+    second.kill();
+  }
+  expect_answers(6, 20, 1);
+  const auto second = start_replica(1);
+  expect_answers(21, 25, 2);
+  first.kill();
+  expect_answers(26, kLast, 1);
+  const auto report = this->status_.await({TypeParam::kName, 1}, [](const auto&) { return true; });
+  ASSERT_TRUE(report);
+  EXPECT_EQ(report->health, scarab_HEALTH_OK) << report->message;
+}
+
 TYPED_TEST_P(Responder, SaysForWhomItWaits) {
   const std::string expect = std::string(TypeParam::kExpect) + ",logger=1";
   this->stand_ins_.tell_trial(1);
@@ -216,13 +257,11 @@ TYPED_TEST_P(Responder, EndsCleanlyOnSignals) {
   }
 }
 
-REGISTER_TYPED_TEST_SUITE_P(Responder, AnswersEachQuestionOnce,
-                            RepeatedQuestionGetsTheSameAnswerAgain, SkippedTickIsAFault,
-                            InRealTimeItCatchesUpThroughMissedTicks,
-                            KilledBetweenTicksItGoesOnBitByBit,
-                            KilledBeforeItAnswersItAnswersOnceRestarted,
-                            QuestionsOfAnOldTrialAreDropped, QuestionsOfATrialNotYetKnownAreHeld,
-                            StateOfAnEarlierTrialIsNotTakenUp, SaysForWhomItWaits,
-                            EndsCleanlyOnSignals);
+REGISTER_TYPED_TEST_SUITE_P(
+    Responder, AnswersEachQuestionOnce, RepeatedQuestionGetsTheSameAnswerAgain, SkippedTickIsAFault,
+    InRealTimeItCatchesUpThroughMissedTicks, KilledBetweenTicksItGoesOnBitByBit,
+    KilledBeforeItAnswersItAnswersOnceRestarted, QuestionsOfAnOldTrialAreDropped,
+    QuestionsOfATrialNotYetKnownAreHeld, StateOfAnEarlierTrialIsNotTakenUp,
+    RestartedReplicaTakesOverFromTheLivingOne, SaysForWhomItWaits, EndsCleanlyOnSignals);
 
 }  // namespace scarab::test

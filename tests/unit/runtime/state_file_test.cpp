@@ -92,6 +92,29 @@ TEST_F(StateFileTest, AnotherSizeIsNotRead) {
   EXPECT_FALSE(larger.read(payload));
 }
 
+TEST_F(StateFileTest, PeekSeesTheNewestRecordAndChangesNothing) {
+  write_ticks(3);
+  const std::string before = test::read_text(path_);
+  Payload payload;
+  const auto key = File::peek(path_, kLayout, payload);
+  ASSERT_TRUE(key);
+  EXPECT_EQ(key->tick, 3);
+  EXPECT_EQ(payload.bytes, payload_of(3).bytes);
+  EXPECT_EQ(test::read_text(path_), before);
+}
+
+TEST_F(StateFileTest, PeekTakesNothingThatIsNotAlike) {
+  Payload payload;
+  EXPECT_FALSE(File::peek(path_, kLayout, payload));
+  EXPECT_FALSE(std::filesystem::exists(path_)) << "made by looking";
+  write_ticks(3);
+  EXPECT_FALSE(File::peek(path_, kLayout + 1, payload));
+  std::array<std::uint8_t, 300> larger{};
+  EXPECT_FALSE((TypedStateFile<std::array<std::uint8_t, 300>>::peek(path_, kLayout, larger)));
+  std::filesystem::resize_file(path_, std::filesystem::file_size(path_) + 1);
+  EXPECT_FALSE(File::peek(path_, kLayout, payload));
+}
+
 /// At every byte: the part of the file before it is already new, the rest still old.
 TEST_F(StateFileTest, RecordTornAtAnyByteIsNeverReturnedAsWhole) {
   write_ticks(4);
