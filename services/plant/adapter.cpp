@@ -84,6 +84,7 @@ void fill(scarab_RobotState& state, const Observation& observation,
   copy(observation.angular_velocity_rad_s, state.angular_velocity_rad_s);
   copy(observation.acceleration_m_s2, state.acceleration_m_s2);
   state.imu_source = scarab_SOURCE_MEASURED;
+  state.motion_source = scarab_SOURCE_MEASURED;
   state.supply_current_a = observation.supply_current_a;
   state.supply_current_source = scarab_SOURCE_MEASURED;
 }

@@ -38,6 +38,9 @@ void fill(scarab_RobotState& state, const Readings& r) {
   if (r.imu_source != Source::kAbsent) {
     state.inclination_rad[0] = r.roll_rad;
     state.inclination_rad[1] = r.pitch_rad;
+  }
+  state.motion_source = to_idl(r.motion_source);
+  if (r.motion_source != Source::kAbsent) {
     std::copy(r.angular_velocity_rad_s.begin(), r.angular_velocity_rad_s.end(),
               std::begin(state.angular_velocity_rad_s));
     std::copy(r.acceleration_m_s2.begin(), r.acceleration_m_s2.end(),

@@ -65,7 +65,7 @@ class SupervisorLink {
     return question.phase == scarab_PHASE_SUCCEEDED || question.phase == scarab_PHASE_FAILED;
   }
 
-  /// The machine's memory is on no topic: there is nothing to take over from a replica.
+  /// The machine's memory is on no topic: a replica's can only be had from its file.
   std::optional<runtime::RecordKey> adopt(std::uint32_t, KeptState&) { return std::nullopt; }
 
   bool has_replica() const { return false; }

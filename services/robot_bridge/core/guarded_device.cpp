@@ -16,6 +16,7 @@ Readings without_sources(Readings readings) {
   }
   readings.foot_force_source.fill(Source::kAbsent);
   readings.imu_source = Source::kAbsent;
+  readings.motion_source = Source::kAbsent;
   readings.supply_current_source = Source::kAbsent;
   return readings;
 }

@@ -37,9 +37,10 @@ struct Readings {
 
   double roll_rad = 0;
   double pitch_rad = 0;
+  Source imu_source = Source::kAbsent;  ///< of roll and pitch
   std::array<double, 3> angular_velocity_rad_s{};
   std::array<double, 3> acceleration_m_s2{};
-  Source imu_source = Source::kAbsent;  ///< of the four above
+  Source motion_source = Source::kAbsent;  ///< of the two above
 
   double supply_current_a = 0;  ///< of the whole robot
   Source supply_current_source = Source::kAbsent;

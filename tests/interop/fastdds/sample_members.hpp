@@ -91,6 +91,7 @@ void for_each_member(const RobotState& s, F&& f) {
   f("angular_velocity_rad_s", s.angular_velocity_rad_s());
   f("acceleration_m_s2", s.acceleration_m_s2());
   f("imu_source", s.imu_source());
+  f("motion_source", s.motion_source());
   f("supply_current_a", s.supply_current_a());
   f("supply_current_source", s.supply_current_source());
 }

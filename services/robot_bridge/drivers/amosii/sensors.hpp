@@ -16,7 +16,7 @@ namespace scarab::bridge::amosii {
 }
 
 /// Fills in foot forces, the motors' current and, if there is an inclinometer, roll and pitch. The
-/// board has no gyroscope and no accelerometer: both stay 0.
+/// board has no gyroscope and no accelerometer: both stay absent.
 void add_sensors(const Config& config, const Slots& sensors, Readings& readings);
 
 }  // namespace scarab::bridge::amosii

@@ -50,6 +50,7 @@ void read_board(Bus& bus, const ImuConfig& board, Readings& readings) {
     readings.acceleration_m_s2[axis] = answer.value(board.acceleration[axis]);
   }
   readings.imu_source = Source::kMeasured;
+  readings.motion_source = Source::kMeasured;
 }
 
 void read_board(Bus& bus, const FootForceConfig& board, Readings& readings) {

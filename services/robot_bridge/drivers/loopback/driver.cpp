@@ -129,6 +129,7 @@ Readings LoopbackDriver::read() {
   add_joints(readings);
   readings.acceleration_m_s2 = {0, 0, kGravity_m_s2};
   readings.imu_source = Source::kMeasured;
+  readings.motion_source = Source::kMeasured;
   readings.supply_current_source = Source::kMeasured;
   add_faults(readings);
   return readings;
