@@ -37,6 +37,7 @@ void complete(scarab_RobotState& s, Backing&) {
   }
   for (auto& source : s.foot_force_source) source = scarab_SOURCE_MEASURED;
   s.imu_source = scarab_SOURCE_MEASURED;
+  s.motion_source = scarab_SOURCE_MEASURED;
   s.supply_current_source = scarab_SOURCE_MEASURED;
 }
 

@@ -101,6 +101,8 @@ TEST(AmosiiDriver, ReadsWhatTheBoardMeasures) {
   EXPECT_NEAR(readings.roll_rad, 0.30, 1e-12);
   EXPECT_NEAR(readings.pitch_rad, -0.20, 1e-12);
   EXPECT_EQ(readings.imu_source, Source::kMeasured);
+  EXPECT_EQ(readings.motion_source, Source::kAbsent)
+      << "it has neither gyroscope nor accelerometer";
   EXPECT_NEAR(readings.supply_current_a, 3, 1e-12);
   EXPECT_EQ(readings.supply_current_source, Source::kMeasured);
   EXPECT_EQ(readings.velocity_rad_s.source[kTl0], Source::kAbsent);

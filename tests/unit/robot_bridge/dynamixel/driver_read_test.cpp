@@ -50,6 +50,7 @@ TEST(DynamixelRead, MeasuresThroughTheCalibration) {
     EXPECT_EQ(r.position_rad.source[2], Source::kMeasured);
     EXPECT_EQ(r.position_rad.source[3], Source::kAbsent);
     EXPECT_EQ(r.imu_source, Source::kAbsent);
+    EXPECT_EQ(r.motion_source, Source::kAbsent);
     EXPECT_EQ(r.device_error, "");
   }
 }
@@ -190,6 +191,7 @@ TEST(DynamixelRead, BoardsOnTheBus) {
   driver->open();
   const Readings r = driver->read();
   EXPECT_EQ(r.imu_source, Source::kMeasured);
+  EXPECT_EQ(r.motion_source, Source::kMeasured);
   EXPECT_NEAR(r.roll_rad, -0.12, 1e-12);
   EXPECT_NEAR(r.pitch_rad, 0.34, 1e-12);
   EXPECT_DOUBLE_EQ(r.angular_velocity_rad_s[1], 1.5);

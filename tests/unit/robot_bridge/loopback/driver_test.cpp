@@ -69,6 +69,7 @@ TEST(LoopbackDriver, MeasuresWhatItHas) {
   EXPECT_EQ(readings.position_rad.source[robot::kBackboneSlot], Source::kAbsent);
   EXPECT_EQ(readings.foot_force_source[0], Source::kAbsent);
   EXPECT_EQ(readings.imu_source, Source::kMeasured);
+  EXPECT_EQ(readings.motion_source, Source::kMeasured);
   EXPECT_EQ(readings.acceleration_m_s2[2], 9.81);
   EXPECT_TRUE(readings.device_error.empty());
 }

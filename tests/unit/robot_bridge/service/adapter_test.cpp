@@ -18,6 +18,7 @@ TEST(Adapter, PassesOnWhatTheDeviceTellsWithItsSource) {
   readings.imu_source = Source::kMeasured;
   readings.roll_rad = 0.1;
   readings.pitch_rad = -0.2;
+  readings.motion_source = Source::kMeasured;
   readings.angular_velocity_rad_s = {1, 2, 3};
   readings.acceleration_m_s2 = {4, 5, 6};
   readings.supply_current_source = Source::kMeasured;
@@ -38,7 +39,21 @@ TEST(Adapter, PassesOnWhatTheDeviceTellsWithItsSource) {
   EXPECT_EQ(state.angular_velocity_rad_s[2], 3);
   EXPECT_EQ(state.acceleration_m_s2[0], 4);
   EXPECT_EQ(state.imu_source, scarab_SOURCE_MEASURED);
+  EXPECT_EQ(state.motion_source, scarab_SOURCE_MEASURED);
   EXPECT_EQ(state.supply_current_a, 7);
+}
+
+TEST(Adapter, AnInclinometerIsNoGyroscope) {
+  Readings readings;
+  readings.imu_source = Source::kMeasured;
+  readings.roll_rad = 0.1;
+  readings.acceleration_m_s2 = {4, 5, 6};
+  scarab_RobotState state{};
+  fill(state, readings);
+  EXPECT_EQ(state.imu_source, scarab_SOURCE_MEASURED);
+  EXPECT_EQ(state.inclination_rad[0], 0.1);
+  EXPECT_EQ(state.motion_source, scarab_SOURCE_ABSENT);
+  EXPECT_EQ(state.acceleration_m_s2[2], 0);
 }
 
 TEST(Adapter, ANumberNobodyStandsForIsZero) {
