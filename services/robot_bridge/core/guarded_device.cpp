@@ -6,22 +6,6 @@
 #include <utility>
 
 namespace scarab::bridge {
-namespace {
-
-/// Values of a device that is gone: they keep their numbers, but nobody stands for them.
-Readings without_sources(Readings readings) {
-  for (JointReadings* joints :
-       {&readings.position_rad, &readings.velocity_rad_s, &readings.torque_nm}) {
-    joints->source.fill(Source::kAbsent);
-  }
-  readings.foot_force_source.fill(Source::kAbsent);
-  readings.imu_source = Source::kAbsent;
-  readings.motion_source = Source::kAbsent;
-  readings.supply_current_source = Source::kAbsent;
-  return readings;
-}
-
-}  // namespace
 
 GuardedDevice::GuardedDevice(Driver& driver, SafeStop safe_stop, const LimitsConfig& limits,
                              const robot::JointVector& home_rad)
@@ -71,7 +55,7 @@ void GuardedDevice::activate() {
   }
 }
 
-/// Measured where it is; else where the joint was last told to go.
+/// Measured where it is; else where the joint was last told to go, also before a loss.
 robot::JointVector GuardedDevice::standing_rad() const {
   robot::JointVector standing_rad = held_rad_;
   for (std::size_t slot = 0; slot < standing_rad.size(); ++slot) {
@@ -111,7 +95,7 @@ void GuardedDevice::rest() noexcept {
 /// After the lifecycle has closed the device.
 void GuardedDevice::lose(const std::string& why) noexcept {
   absence_ = loss_ = why;
-  readings_ = without_sources(readings_);
+  readings_ = {};
   limits_.forget();
   pause_s_ = 0;  // the first attempt to find it again comes at once
 }

@@ -30,7 +30,7 @@ class GuardedDevice {
   void look_for(double now_s);
   /// One exchange, judged by the limits; nothing while the device is not there.
   void exchange();
-  /// Of the last exchange; all sources are absent while the device is not there.
+  /// Of the last exchange; blank, all sources absent, while the device is not there.
   [[nodiscard]] const Readings& readings() const { return readings_; }
   [[nodiscard]] LifecycleState state() const noexcept { return lifecycle_.state(); }
   [[nodiscard]] bool present() const noexcept;

@@ -13,7 +13,7 @@ namespace scarab::bridge {
 /// knows it.
 enum class Source { kAbsent, kMeasured, kCommanded };
 
-/// One quantity of every joint slot; values without a source mean nothing.
+/// One quantity of every joint slot; values without a source mean nothing, and go out as 0.
 struct JointReadings {
   robot::JointVector value{};
   std::array<Source, robot::kJointCount> source{};  ///< kAbsent unless said otherwise

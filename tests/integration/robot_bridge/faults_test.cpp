@@ -53,7 +53,10 @@ TEST_F(Faults, ALostDeviceMeasuresNothingAndIsFoundAgain) {
   const auto lost = answer_until(scarab_PHASE_SAFE_STOP);
   ASSERT_TRUE(lost) << child_->err();
   EXPECT_EQ(lost->position_source[0], scarab_SOURCE_ABSENT);
+  EXPECT_EQ(lost->position_rad[14], 0) << "it stood in its start pose, but who knows now";
   EXPECT_EQ(lost->imu_source, scarab_SOURCE_ABSENT);
+  EXPECT_EQ(lost->motion_source, scarab_SOURCE_ABSENT);
+  EXPECT_EQ(lost->acceleration_m_s2[2], 0);
   const auto found = answer_until([](const auto& state) { return all_measured(state); });
   ASSERT_TRUE(found) << child_->err();
   EXPECT_EQ(found->phase, scarab_PHASE_SAFE_STOP) << "found again is no reason to move";

@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
 
 #include "tests/unit/robot_bridge/core/noting_driver.hpp"
 
@@ -153,6 +154,7 @@ class EachLoss : public GuardedDeviceTest, public testing::WithParamInterface<co
 
 TEST_P(EachLoss, IsAFaultUntilTheDeviceIsFoundAgain) {
   stands_at(0.1);
+  driver_.readings.temperature_c.fill(30);
   be_active();
   device_.exchange();
   EXPECT_FALSE(device_.fault().has_value());
@@ -163,7 +165,8 @@ TEST_P(EachLoss, IsAFaultUntilTheDeviceIsFoundAgain) {
   EXPECT_EQ(driver_.calls.back(), "close");
   EXPECT_EQ(device_.losses(), 1U);
   EXPECT_EQ(device_.readings().position_rad.source[kJoint], Source::kAbsent);
-  EXPECT_EQ(device_.readings().position_rad.value[kJoint], 0.1);
+  EXPECT_EQ(device_.readings().position_rad.value[kJoint], 0) << "what it told is over";
+  EXPECT_TRUE(std::isnan(device_.readings().temperature_c[kJoint]));
 
   const std::string reason = *device_.fault();
   driver_.fails = "open";
@@ -179,6 +182,20 @@ TEST_P(EachLoss, IsAFaultUntilTheDeviceIsFoundAgain) {
   EXPECT_EQ(driver_.calls.back(), "read");
   device_.activate();
   EXPECT_EQ(device_.state(), LifecycleState::kActive);
+}
+
+/// A robot that tells no angles stands where it was told to go before it was lost.
+TEST_P(EachLoss, LeavesHeldWhatWasToldLast) {
+  be_active();
+  robot::JointVector target_rad = home();
+  target_rad[kJoint] = 0.6;
+  device_.apply(target_rad);
+  lose();
+  driver_.fails.clear();
+  driver_.stops = true;
+  device_.look_for(100);
+  device_.activate();
+  EXPECT_EQ(driver_.held_rad[kJoint], 0.6);
 }
 
 INSTANTIATE_TEST_SUITE_P(GuardedDevice, EachLoss, testing::Values("read", "write", "hold"));
