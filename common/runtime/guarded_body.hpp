@@ -59,8 +59,8 @@ class GuardedBody {
 
   /// What forbids to go on.
   [[nodiscard]] std::optional<std::string> fault() const;
-  /// In a trial without a fault since its begin or the last reset.
-  [[nodiscard]] bool active() const { return active_; }
+  /// In a trial with the motors on, and without a fault since its begin or the last reset.
+  [[nodiscard]] bool active() const noexcept { return active_ && body_.powered(); }
 
  private:
   void take_thrown(const std::exception& error);

@@ -74,6 +74,9 @@ class TickBody {
   /// the middle of a tick, before anything else is written. From now on no target is applied until
   /// activate(), whatever advance() says.
   virtual void safe_stop() noexcept {}
+  /// Whether the motors have power: not before activate() or after rest(), and a safe stop may take
+  /// it. What has no motors always has.
+  [[nodiscard]] virtual bool powered() const noexcept { return true; }
   /// What of the body's own state forbids to go on (a lost device, heat, current, inclination), in
   /// words that stay the same while it lasts: it brings the safe stop for this reason, and keeps it
   /// from being reset and a trial from starting. Asked after each observe().

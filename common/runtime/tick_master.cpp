@@ -119,7 +119,7 @@ bool TickMaster::run_tick() {
   if (real_time()) pacer_.tick_begins(Clock::now());
   const scarab_TrialPhase announced = publish_state(false);
   const bool last = announced == scarab_PHASE_SUCCEEDED || announced == scarab_PHASE_FAILED;
-  if (last) guarded_.rest();  // the last answer moves nothing
+  if (last) rest();  // the last answer moves nothing
   if (last || !real_time()) {
     await_command();
   } else {

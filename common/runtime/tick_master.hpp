@@ -80,6 +80,7 @@ class TickMaster {
   void go_home();
   void observe(scarab_RobotState& state);
   void reset_if_asked();
+  void rest();
   void show_lifecycle();
   void report_gate();
 

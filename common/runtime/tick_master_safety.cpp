@@ -84,8 +84,14 @@ void TickMaster::reset_if_asked() {
   report_gate();
 }
 
-/// Active: a trial runs and nothing has taken the motors' power. A device that is lost in a trial
-/// leaves it inactive, in its safe stop.
+/// What has no motors to switch off stays active until the trial's last answer.
+void TickMaster::rest() {
+  guarded_.rest();
+  if (!body_.powered()) show_lifecycle();
+}
+
+/// Active: a trial runs, with the motors on and nothing that forbids it. A device that is lost in a
+/// trial, and a safe stop without torque, leave it inactive.
 void TickMaster::show_lifecycle() {
   const bool runs = stage_ == Stage::kRunning;
   status_.set_lifecycle(runs && guarded_.active()    ? scarab_LIFECYCLE_ACTIVE

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "common/runtime/logger_lead.hpp"
 #include "common/runtime/tick_master.hpp"
 #include "common/runtime/tick_masters.hpp"
 
@@ -123,13 +124,10 @@ std::optional<bus::Peer> TickMaster::logger_behind(std::uint32_t lead) const {
   return std::nullopt;
 }
 
-/// Keeps the lead over every expected logger small enough that nothing it has not received yet is
-/// overwritten in a writer's history. Two ticks less: the running one, and the last one's samples
-/// that leave with it.
+/// Keeps the lead over every expected logger small; gives up on one that does not come on.
 void TickMaster::await_logger() {
   if (options_.pace != Pace::kLockstep) return;
-  const std::uint32_t kept = std::min(bus::kDepth, bus::kStreamDepth / options_.samples_per_tick);
-  const std::uint32_t lead = std::max(3U, kept) - 2;
+  const std::uint32_t lead = lead_over_logger(options_.samples_per_tick);
   const auto since = Clock::now();
   while (const auto logger = logger_behind(lead)) {
     wait(kPoll);
@@ -140,7 +138,10 @@ void TickMaster::await_logger() {
     const std::string why = complaint_of(board_.find(*logger));
     status_.set_health(scarab_HEALTH_WAITING, what + why);
     if (silent < options_.give_up) continue;
-    body_.end({false, what + " for " + std::to_string(options_.give_up.count()) + " s" + why});
+    const std::string reason =
+        what + " for " + std::to_string(options_.give_up.count()) + " s" + why;
+    body_.end({false, reason});
+    status_.set_health(scarab_HEALTH_FAULT, reason);
     return;
   }
   if (status_.health() == scarab_HEALTH_WAITING) status_.set_health(scarab_HEALTH_OK);
@@ -177,6 +178,7 @@ void TickMaster::take_operator() {
   }
   if (requests.stop && stage_ == Stage::kRunning && !body_.verdict()) {
     guarded_.end({false, *requests.stop});
+    show_lifecycle();
   }
   reset_asked_ = reset_asked_ || requests.reset;
   if (!moving_) reset_if_asked();

@@ -102,7 +102,7 @@ void BridgeBody::judge() {
 }
 
 void BridgeBody::rest() noexcept {
-  const bool were_on = device_.state() == LifecycleState::kActive;
+  const bool were_on = powered();
   device_.rest();
   if (!were_on || !device_.present()) return;
   spdlog::info(has_torque_switch_ ? "motors off"
@@ -110,6 +110,8 @@ void BridgeBody::rest() noexcept {
 }
 
 void BridgeBody::safe_stop() noexcept { device_.safe_stop(); }
+
+bool BridgeBody::powered() const noexcept { return device_.state() == LifecycleState::kActive; }
 
 std::optional<std::string> BridgeBody::fault() const { return device_.fault(); }
 

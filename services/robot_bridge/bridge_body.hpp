@@ -38,6 +38,7 @@ class BridgeBody : public runtime::TickBody {
   void rest() noexcept override;
 
   void safe_stop() noexcept override;
+  [[nodiscard]] bool powered() const noexcept override;
   [[nodiscard]] std::optional<std::string> fault() const override;
 
   bool idle() override;

@@ -90,6 +90,22 @@ TEST_F(Gate, AnEmergencyStopHoldsAtOnceAndNothingIsWrittenUntilTheReset) {
   EXPECT_GT(counter("loopback_writes", again->header.tick), written);
 }
 
+/// Motors off is not active, in the middle of a trial, too.
+TEST_F(BridgeProcess, AnEmergencyStopThatReleasesIsInactiveUntilTheReset) {
+  start_bridge("safe_stop: release\n");
+  ASSERT_TRUE(begin());
+  ASSERT_NO_FATAL_FAILURE(answer_ticks(1));
+  tell(scarab_OPERATOR_EMERGENCY_STOP, "test");
+  ASSERT_TRUE(answer_until(scarab_PHASE_SAFE_STOP)) << child_->err();
+  const auto stopped = await([](const Report& r) {
+    return r.lifecycle == scarab_LIFECYCLE_INACTIVE && r.health == scarab_HEALTH_DEGRADED;
+  });
+  ASSERT_TRUE(stopped) << child_->err();
+  tell(scarab_OPERATOR_RESET);
+  ASSERT_TRUE(answer_until(scarab_PHASE_RUNNING)) << child_->err();
+  EXPECT_TRUE(await([](const Report& r) { return r.lifecycle == scarab_LIFECYCLE_ACTIVE; }));
+}
+
 TEST_F(Gate, SilenceBringsTheSafeStop) {
   ASSERT_NO_FATAL_FAILURE(answer_ticks(3));
   ASSERT_TRUE(

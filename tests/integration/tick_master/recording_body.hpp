@@ -29,6 +29,7 @@ class RecordingBody : public runtime::TickBody {
     bool configured = true;
     bool tells_idle = false;  ///< idle() has something to tell
     double stands_rad = 0;    ///< every joint, while the motors are off
+    bool stops_without_torque = false;
     std::optional<std::string> fault;
     std::optional<runtime::TrialEnd> verdict;                     ///< of a referee
     std::string activate_throws, observe_throws, advance_throws;  ///< empty: they do not
@@ -100,7 +101,11 @@ class RecordingBody : public runtime::TickBody {
     note(Call::kRest);
     powered_ = applies_ = started_ = false;
   }
-  void safe_stop() noexcept override { note(Call::kSafeStop), applies_ = false; }
+  void safe_stop() noexcept override {
+    note(Call::kSafeStop), applies_ = false;
+    if (fate().stops_without_torque) powered_ = false;
+  }
+  [[nodiscard]] bool powered() const noexcept override { return powered_; }
   [[nodiscard]] std::optional<std::string> fault() const override { return fate().fault; }
   bool idle() override { return fate().tells_idle; }
   void publish_own(const scarab_Header&) override {}

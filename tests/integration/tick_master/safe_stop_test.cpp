@@ -93,6 +93,33 @@ TEST_F(SafeStop, OfAFaultCannotBeResetWhileItLasts) {
   EXPECT_TRUE(shows(scarab_LIFECYCLE_ACTIVE));
 }
 
+/// The status follows the motors, not the end of the tick that is under way.
+TEST_F(SafeStop, WithoutTorqueIsNotActive) {
+  Options options;
+  options.tick_period = milliseconds(500);
+  walk(options, 0.1);
+  body_->change([](auto& fate) { fate.stops_without_torque = true; });
+  say(scarab_OPERATOR_EMERGENCY_STOP);
+  ASSERT_TRUE(shows(scarab_LIFECYCLE_INACTIVE));
+  EXPECT_TRUE(is_in(scarab_PHASE_RUNNING)) << "the tick of the stop is not over";
+  say(scarab_OPERATOR_RESET);
+  ASSERT_TRUE(shows(scarab_LIFECYCLE_ACTIVE));
+  say(scarab_OPERATOR_STOP, "lunch");
+  ASSERT_TRUE(shows(scarab_LIFECYCLE_INACTIVE));
+  EXPECT_FALSE(is_in(scarab_PHASE_FAILED)) << "the trial's last tick is to come";
+}
+
+/// A last answer that nobody gives is waited for; the motors are off meanwhile.
+TEST_F(SafeStop, AtTheEndIsNotActive) {
+  walk({}, 0.1);
+  body_->change([](auto& fate) { fate.verdict = {true, "there"}; });
+  ASSERT_TRUE(eventually([&] { return is_in(scarab_PHASE_SUCCEEDED); }));
+  const auto report =
+      status_.await(self_, [](const auto& r) { return r.lifecycle == scarab_LIFECYCLE_INACTIVE; });
+  ASSERT_TRUE(report);
+  EXPECT_EQ(report->message, "") << "the trial has not ended yet";
+}
+
 TEST_F(SafeStop, StaysWhereTheMotorsDoNotComeOn) {
   walk({}, 0.1);
   say(scarab_OPERATOR_EMERGENCY_STOP);

@@ -57,6 +57,21 @@ TEST_F(GuardedBodyTest, TheEndOfItTurnsTheMotorsOff) {
   EXPECT_EQ(body_.calls().back(), Call::kRest);
 }
 
+TEST_F(GuardedBodyTest, AStopThatTakesTheTorqueIsNotActive) {
+  begin();
+  body_.change([](auto& fate) { fate.stops_without_torque = true; });
+  guarded_.emergency_stop("operator");
+  EXPECT_FALSE(guarded_.active());
+  ASSERT_EQ(guarded_.reset(), std::nullopt);
+  EXPECT_TRUE(guarded_.active());
+}
+
+TEST_F(GuardedBodyTest, AStopThatHoldsIsActive) {
+  begin();
+  guarded_.emergency_stop("operator");
+  EXPECT_TRUE(guarded_.active());
+}
+
 TEST_F(GuardedBodyTest, EveryBeginningOfASafeStopIsToldOnce) {
   begin();
   guarded_.emergency_stop("operator");
