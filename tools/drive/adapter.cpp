@@ -40,10 +40,20 @@ const runtime::Histogram& histogram(const ServiceReport& report, const std::stri
   return entry == report.histograms.end() ? none : entry->second;
 }
 
+/// In one whose device is lost or whose motors are off the tick master is inactive: then it stands
+/// in the trial that was heard of last, which has not ended.
+bool runs_trial(const Live& live, const ServiceReport& report) {
+  if (report.lifecycle == scarab_LIFECYCLE_ACTIVE) return true;
+  const bool is_heard_of = live.trial != 0 && live.trial == report.header.trial && !live.trial_over;
+  const bool stands =
+      begins_with(report.message, "safe stop") || begins_with(report.message, "paused");
+  return report.lifecycle == scarab_LIFECYCLE_INACTIVE && is_heard_of && stands;
+}
+
 void see_tick_master(Live& live, const ServiceReport& report) {
   live.tick_master_answers = true;
   live.tick_master_says = report.message;
-  live.trial_runs = report.lifecycle == scarab_LIFECYCLE_ACTIVE;
+  live.trial_runs = runs_trial(live, report);
   live.safe_stop = begins_with(report.message, "safe stop");
   for (const auto& [name, count] : report.counters) {
     if (begins_with(name, kClamped)) live.clamped += count;
@@ -65,6 +75,7 @@ void see(Live& live, const scarab_RobotState& state) {
   live.time_s = static_cast<double>(state.header.sim_time_ns) * 1e-9;
   live.real_time = state.real_time;
   live.phase = runtime::word(state.phase);
+  live.trial_over = state.phase == scarab_PHASE_SUCCEEDED || state.phase == scarab_PHASE_FAILED;
   for (std::size_t slot = 0; slot < robot::kJointCount; ++slot) {
     live.position_rad[slot] = state.position_rad[slot];
     live.has_joint[slot] = state.position_source[slot] != scarab_SOURCE_ABSENT;
@@ -88,7 +99,8 @@ void see(Live& live, const scarab_Behaviour& behaviour) {
   live.trigger_threshold = behaviour.trigger_threshold;
 }
 
-void see(Live& live, const runtime::StatusBoard& board, const std::string& tick_master) {
+void see(Live& live, const std::map<bus::Peer, ServiceReport>& reports,
+         const std::string& tick_master) {
   live.tick_master = tick_master;
   live.tick_master_says.clear();
   live.tick_master_answers = live.trial_runs = live.safe_stop = false;
@@ -96,7 +108,7 @@ void see(Live& live, const runtime::StatusBoard& board, const std::string& tick_
   live.clamped = 0;
   live.timing = {};
   live.services.clear();
-  for (const auto& [peer, report] : board.reports()) {
+  for (const auto& [peer, report] : reports) {
     const std::string who = bus::to_string(peer);
     live.services.push_back(
         {who, runtime::word(report.lifecycle), concern_of(report.health), report.message});

@@ -44,6 +44,7 @@ struct Live {
   double ticks_per_s = 0;
   bool real_time = false;
   std::string phase;
+  bool trial_over = false;  ///< that was its last tick
   robot::JointVector position_rad{};
   std::array<bool, robot::kJointCount> has_joint{};
 

@@ -49,7 +49,7 @@ bool Stack::wait(std::chrono::nanoseconds limit) {
   behaviours_.take([this](const scarab_Behaviour& behaviour) { see(live_, behaviour); });
   board_.update();
   const auto master = tick_master();
-  see(live_, board_, master ? bus::to_string(*master) : "");
+  see(live_, board_.reports(), master ? bus::to_string(*master) : "");
   measure_rate();
   return true;
 }

@@ -63,5 +63,65 @@ TEST(Adapter, TakesTheLoadThatSwitchesInThePlaceOfAs) {
   EXPECT_EQ(live.trigger_threshold, 12.5);
 }
 
+/// A trial in its safe stop, as the tick master and robot_state tell it.
+class StandingTrial : public testing::Test {
+ protected:
+  StandingTrial() {
+    state_.header.trial = report_.header.trial = 3;
+    state_.phase = scarab_PHASE_SAFE_STOP;
+    report_.lifecycle = scarab_LIFECYCLE_INACTIVE;
+    report_.message = "safe stop: the device is lost: /dev/ttyUSB0: unplugged";
+  }
+  Live seen() {
+    Live live;
+    see(live, state_);
+    see(live, {{{"robot_bridge", 0}, report_}}, "robot_bridge/0");
+    return live;
+  }
+
+  scarab_RobotState state_{};
+  runtime::ServiceReport report_;
+};
+
+TEST_F(StandingTrial, RunsThoughItsDeviceIsLost) {
+  const Live live = seen();
+  EXPECT_TRUE(live.trial_runs);
+  EXPECT_TRUE(live.safe_stop);
+  EXPECT_EQ(live.phase, "safe stop");
+}
+
+TEST_F(StandingTrial, RunsThoughItIsPaused) {
+  report_.message = "paused by the operator";
+  EXPECT_TRUE(seen().trial_runs);
+}
+
+TEST_F(StandingTrial, IsOverAfterItsLastTick) {
+  state_.phase = scarab_PHASE_FAILED;
+  const Live live = seen();
+  EXPECT_FALSE(live.trial_runs);
+  EXPECT_TRUE(live.safe_stop) << "it is latched";
+}
+
+TEST_F(StandingTrial, WasLeftWhereTheTickMasterSaysSomethingElse) {
+  report_.message = "waits for the robot at /dev/ttyUSB0";
+  EXPECT_FALSE(seen().trial_runs) << "the next one waits";
+  report_.message = "safe stop: operator emergency stop";
+  report_.header.trial = 0;
+  EXPECT_FALSE(seen().trial_runs) << "it has been started anew";
+  report_.header.trial = 3;
+  report_.lifecycle = scarab_LIFECYCLE_FINALISED;
+  EXPECT_FALSE(seen().trial_runs);
+}
+
+TEST(Adapter, ATickMasterThatIsActiveRunsATrial) {
+  runtime::ServiceReport report;
+  report.lifecycle = scarab_LIFECYCLE_ACTIVE;
+  Live live;
+  see(live, {{{"plant", 0}, report}}, "plant/0");
+  EXPECT_TRUE(live.trial_runs) << "on its way home, before the first robot_state";
+  see(live, {}, "plant/0");
+  EXPECT_FALSE(live.trial_runs);
+}
+
 }  // namespace
 }  // namespace scarab::drive
