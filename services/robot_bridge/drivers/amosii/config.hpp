@@ -40,7 +40,7 @@ struct Config {
   /// Silence on the line before and after each set. The laboratory's software keeps 10 ms; whether
   /// the board needs them is not published.
   double pause_s = 0.01;
-  double foot_full_scale_n = 0;  ///< force on a foot whose scaled input reads 1
+  double foot_full_scale_n = 0;  ///< force on a foot whose scaled input reads 1; more is cut off
   std::optional<Inclinometer> inclinometer;
   MotorCurrent motor_current;
 };

@@ -3,7 +3,9 @@
 
 #include <algorithm>
 #include <filesystem>
+#include <optional>
 #include <string>
+#include <tuple>
 #include <vector>
 
 #include "common/config/config.hpp"
@@ -13,6 +15,7 @@
 #include "services/robot_bridge/calibration_file.hpp"
 #include "services/robot_bridge/config.hpp"
 #include "services/robot_bridge/driver_choice.hpp"
+#include "services/supervisor/config.hpp"
 
 /// The files of every robot behind a bridge, and what they promise together.
 namespace scarab::bridge {
@@ -95,6 +98,16 @@ TEST_P(EachBridge, IsDumpedAndReadBackWhole) {
 }
 
 INSTANTIATE_TEST_SUITE_P(Shipped, EachBridge, testing::ValuesIn(shipped()));
+
+/// The supervisor's signal is the mean of two feet, each of them in the air half of the time.
+TEST(BridgeConfig, AFootThatTellsOfTheObstacleIsNotCutOff) {
+  const auto supervisor = supervisor::load_config(kConfig / "supervisor" / "beetle.yaml");
+  const double threshold_n = supervisor.foot_force.reference_n + supervisor.foot_force.rise_n;
+  const BridgeConfig config = load_config(kConfig / "robot_bridge" / "beetle-amosii.yaml");
+  const auto& board = std::get<std::optional<amosii::Config>>(config.sections);
+  ASSERT_TRUE(board);
+  EXPECT_GT(board->foot_full_scale_n, 2 * threshold_n);
+}
 
 TEST(BridgeConfig, ADeviceThatCannotReleaseIsNotAskedTo) {
   const Path file = kConfig / "robot_bridge" / "beetle-amosii.yaml";
