@@ -71,8 +71,8 @@ class CrashStoppedDriver : public Driver {
   }
   Readings read() override { return driver_->read(); }
   void activate(const robot::JointVector& hold_rad) override {
-    driver_->activate(hold_rad);
     if (const auto frame = driver_->crash_frame()) arm(*frame);
+    driver_->activate(hold_rad);
   }
   void write(const robot::JointVector& target_rad) override { driver_->write(target_rad); }
   bool hold() noexcept override { return driver_->hold(); }

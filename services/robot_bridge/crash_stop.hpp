@@ -17,8 +17,8 @@ inline constexpr std::size_t kCrashFrameMost = 1024;
 /// Installs the handler, for the rest of the process. Once, before any thread is started.
 void install_crash_handler();
 
-/// The driver with its crash frame ready for the handler from activate() until its motors are
-/// confirmed to be off, or it is closed. One at a time in a process.
+/// The driver with its crash frame ready for the handler from before activate() until its motors
+/// are confirmed to be off, or it is closed. One at a time in a process.
 [[nodiscard]] std::unique_ptr<Driver> with_crash_stop(std::unique_ptr<Driver> driver);
 
 }  // namespace scarab::bridge

@@ -31,7 +31,6 @@ void serve(const runtime::ServiceOptions& options, const BridgeConfig& config,
       std::chrono::nanoseconds(std::llround(config.timing.control_period_s * 1e9));
   master_options.samples_per_tick = samples_per_tick(config.timing);
   master_options.tells_end = true;  // there may be nobody who publishes a world_state
-  master_options.tells_end = true;  // nobody may be there to publish a verdict
   runtime::TickMaster master(participant, options, self, master_options, body, gate);
   master.run();
 }

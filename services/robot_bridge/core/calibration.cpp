@@ -1,6 +1,8 @@
 #include "services/robot_bridge/core/calibration.hpp"
 
 #include <algorithm>
+#include <stdexcept>
+#include <string>
 
 namespace scarab::bridge {
 
@@ -18,6 +20,19 @@ JointRange reach(const JointCalibration& c) noexcept {
   const double a = to_joint_rad(c, c.min_rad);
   const double b = to_joint_rad(c, c.max_rad);
   return {std::min(a, b), std::max(a, b)};
+}
+
+Calibration of_robot(const Calibration& c, const robot::RobotModel& robot) {
+  Calibration own;
+  for (std::size_t slot = 0; slot < robot.joints.size(); ++slot) {
+    if (!robot.joints[slot].present) continue;
+    if (!c.joints[slot]) {
+      throw std::invalid_argument("joint " + std::string(robot::kJointNames[slot]) + " of " +
+                                  robot.name + " has no calibration");
+    }
+    own.joints[slot] = c.joints[slot];
+  }
+  return own;
 }
 
 robot::RobotModel within_reach(robot::RobotModel robot, const Calibration& c) {

@@ -49,6 +49,10 @@ struct JointRange {
 /// The joint's angles that its servo can reach.
 [[nodiscard]] JointRange reach(const JointCalibration& c) noexcept;
 
+/// That of the joints that the robot has. Throws std::invalid_argument naming the joint if one has
+/// none.
+[[nodiscard]] Calibration of_robot(const Calibration& c, const robot::RobotModel& robot);
+
 /// The robot with the range of each joint cut to what its servo can reach, so that the command gate
 /// clamps, counts and reports what the servo could not do. A range may come out empty (min above
 /// max); joints without a calibration stay as they are.

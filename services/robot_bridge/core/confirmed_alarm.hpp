@@ -15,7 +15,6 @@ class ConfirmedAlarm {
 
   /// `reason`: what is said if this reading raises the alarm.
   void observe(Level level, const std::string& reason);
-  void clear() { *this = ConfirmedAlarm(confirm_readings_); }
 
   [[nodiscard]] bool raised() const { return raised_; }
   /// Of the reading that raised it.

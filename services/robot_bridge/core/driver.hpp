@@ -60,6 +60,7 @@ class Driver {
   /// Opens the line, finds every device and switches the motors off. Throws DeviceError; then it is
   /// closed again.
   virtual void open() = 0;
+  /// Says nothing more to the device: motors that are on are left to its own time-out.
   virtual void close() noexcept = 0;
 
   /// One exchange, bounded in time; retries are counted. Throws DeviceError.
@@ -81,9 +82,9 @@ class Driver {
   /// What has been counted since the program started (frames, retries, errors by kind), by names of
   /// at most 47 characters; at most 40, which service_status has room for.
   [[nodiscard]] virtual std::vector<std::pair<std::string, std::uint64_t>> counters() const = 0;
-  /// What a signal handler writes while the process dies; asked for after each activate(). None if
+  /// What a signal handler writes while the process dies; asked for before each activate(). None if
   /// the device cannot switch its motors off.
-  [[nodiscard]] virtual std::optional<CrashFrame> crash_frame() const = 0;
+  [[nodiscard]] virtual std::optional<CrashFrame> crash_frame() const { return std::nullopt; }
 };
 
 }  // namespace scarab::bridge

@@ -1,8 +1,6 @@
 #include "services/robot_bridge/drivers/amosii/driver.hpp"
 
 #include <chrono>
-#include <stdexcept>
-#include <string_view>
 
 #include "services/robot_bridge/drivers/amosii/sensors.hpp"
 
@@ -21,16 +19,7 @@ Manners manners_of(const Config& config) {
 
 AmosiiDriver::AmosiiDriver(Config config, const robot::RobotModel& robot,
                            const Calibration& calibration)
-    : config_(std::move(config)) {
-  for (std::size_t joint = 0; joint < robot::kJointCount; ++joint) {
-    if (!robot.joints[joint].present) continue;
-    if (!calibration.joints[joint]) {
-      throw std::invalid_argument("joint " + std::string(robot::kJointNames[joint]) +
-                                  " has no calibration");
-    }
-    joints_[joint] = calibration.joints[joint];
-  }
-}
+    : config_(std::move(config)), calibration_(of_robot(calibration, robot)) {}
 
 Board& AmosiiDriver::board() {
   if (!board_) throw DeviceError(config_.port + ": not open");
@@ -54,7 +43,7 @@ Readings AmosiiDriver::read() {
   add_sensors(config_, board().get(), readings);
   if (!commanded_rad_) return readings;
   for (std::size_t joint = 0; joint < robot::kJointCount; ++joint) {
-    if (!joints_[joint]) continue;
+    if (!calibration_.joints[joint]) continue;
     readings.position_rad.value[joint] = (*commanded_rad_)[joint];
     readings.position_rad.source[joint] = Source::kCommanded;
   }
@@ -67,10 +56,10 @@ void AmosiiDriver::write(const robot::JointVector& target_rad) {
   Slots motors = all_slots(kMiddle);
   robot::JointVector commanded{};
   for (std::size_t joint = 0; joint < robot::kJointCount; ++joint) {
-    if (!joints_[joint]) continue;
-    const double m = motor_command_for(*joints_[joint], target_rad[joint]);
+    if (!calibration_.joints[joint]) continue;
+    const double m = motor_command_for(*calibration_.joints[joint], target_rad[joint]);
     motors[kMotorSlots[joint].slot] = motor_byte(joint, m);
-    commanded[joint] = joint_angle_for(*joints_[joint], effective_command(joint, m));
+    commanded[joint] = joint_angle_for(*calibration_.joints[joint], effective_command(joint, m));
   }
   board().set(motors);
   commanded_rad_ = commanded;
@@ -96,8 +85,6 @@ std::vector<std::pair<std::string, std::uint64_t>> AmosiiDriver::counters() cons
           {"amosii_replies_damaged", counters_.replies_damaged},
           {"amosii_replies_missing", counters_.replies_missing}};
 }
-
-std::optional<CrashFrame> AmosiiDriver::crash_frame() const { return std::nullopt; }
 
 std::unique_ptr<Driver> make(const Config& config, const robot::RobotModel& robot,
                              const Calibration& calibration, const std::string& device_override) {

@@ -1,6 +1,5 @@
 #pragma once
 
-#include <array>
 #include <optional>
 #include <string>
 #include <utility>
@@ -32,13 +31,12 @@ class AmosiiDriver : public Driver {
   bool release() noexcept override;
   [[nodiscard]] Capabilities capabilities() const override;
   [[nodiscard]] std::vector<std::pair<std::string, std::uint64_t>> counters() const override;
-  [[nodiscard]] std::optional<CrashFrame> crash_frame() const override;
 
  private:
   [[nodiscard]] Board& board();
 
   Config config_;
-  std::array<std::optional<JointCalibration>, robot::kJointCount> joints_;  ///< the robot's own
+  Calibration calibration_;  ///< of the robot's own joints
   BoardCounters counters_;
   std::optional<Board> board_;
   std::optional<robot::JointVector> commanded_rad_;  ///< as far as the servos reach

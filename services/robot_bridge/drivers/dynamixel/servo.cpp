@@ -7,22 +7,19 @@ namespace scarab::bridge::dynamixel {
 
 std::vector<Servo> servos_of(const Config& config, const robot::RobotModel& robot,
                              const Calibration& calibration) {
+  const Calibration own = of_robot(calibration, robot);
   std::vector<Servo> servos;
   for (std::size_t joint = 0; joint < robot::kJointCount; ++joint) {
-    if (!robot.joints[joint].present) continue;
+    if (!own.joints[joint]) continue;
     const std::string name(robot::kJointNames[joint]);
     const auto found = config.servos.find(name);
     if (found == config.servos.end()) {
       throw std::invalid_argument("dynamixel.servos: joint " + name + " of " + robot.name +
                                   " has no servo");
     }
-    if (!calibration.joints[joint]) {
-      throw std::invalid_argument("calibration: joint " + name + " of " + robot.name +
-                                  " is missing");
-    }
     const auto model = find_model(config, found->second.model);
     if (!model) throw std::invalid_argument("dynamixel: no such model: " + found->second.model);
-    servos.push_back({joint, found->second.id, *model, *calibration.joints[joint]});
+    servos.push_back({joint, found->second.id, *model, *own.joints[joint]});
   }
   return servos;
 }

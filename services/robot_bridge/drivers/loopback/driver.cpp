@@ -1,7 +1,6 @@
 #include "services/robot_bridge/drivers/loopback/driver.hpp"
 
 #include <algorithm>
-#include <stdexcept>
 
 namespace scarab::bridge::loopback {
 namespace {
@@ -9,32 +8,18 @@ namespace {
 constexpr double kGravity_m_s2 = 9.81;
 constexpr double kRoomTemperature_c = 25;
 
-using Joints = std::array<std::optional<JointCalibration>, robot::kJointCount>;
-
-Joints joints_of(const robot::RobotModel& robot, const Calibration& calibration) {
-  Joints joints;
-  for (std::size_t joint = 0; joint < robot::kJointCount; ++joint) {
-    if (!robot.joints[joint].present) continue;
-    if (!calibration.joints[joint]) {
-      throw std::invalid_argument("joint " + std::string(robot::kJointNames[joint]) +
-                                  " has no calibration");
-    }
-    joints[joint] = calibration.joints[joint];
-  }
-  return joints;
-}
-
 /// Where the servos are at first, on their own scales: as they are really mounted.
-robot::JointVector first_angles(const Config& config, const Joints& joints) {
+robot::JointVector first_angles(const Config& config, const Calibration& calibration) {
   robot::JointVector angles{};
   for (std::size_t joint = 0; joint < robot::kJointCount; ++joint) {
-    if (!joints[joint]) continue;
+    const auto& c = calibration.joints[joint];
+    if (!c) continue;
     const std::string name(robot::kJointNames[joint]);
     const auto pose = config.pose_rad.find(name);
     const auto mounting = config.mounting.find(name);
     const double joint_rad = pose == config.pose_rad.end() ? 0 : pose->second;
     angles[joint] = mounting == config.mounting.end()
-                        ? joints[joint]->offset_rad + turned(*joints[joint], joint_rad)
+                        ? c->offset_rad + turned(*c, joint_rad)
                         : mounting->second.offset_rad + mounting->second.direction * joint_rad;
   }
   return angles;
@@ -56,8 +41,8 @@ bool needs_joint(FaultKind kind) {
 LoopbackDriver::LoopbackDriver(Config config, const robot::RobotModel& robot,
                                const Calibration& calibration)
     : config_(std::move(config)),
-      joints_(joints_of(robot, calibration)),
-      servos_(robot, first_angles(config_, joints_)) {}
+      calibration_(of_robot(calibration, robot)),
+      servos_(robot, first_angles(config_, calibration_)) {}
 
 bool LoopbackDriver::is_on(const Fault& fault) const {
   if (!first_active_) return false;
@@ -99,8 +84,8 @@ void LoopbackDriver::close() noexcept { open_ = false; }
 
 void LoopbackDriver::add_joints(Readings& readings) const {
   for (std::size_t joint = 0; joint < robot::kJointCount; ++joint) {
-    if (!joints_[joint]) continue;
-    const JointCalibration& c = *joints_[joint];
+    if (!calibration_.joints[joint]) continue;
+    const JointCalibration& c = *calibration_.joints[joint];
     readings.position_rad.value[joint] = to_joint_rad(c, servos_.angle_rad()[joint]);
     readings.velocity_rad_s.value[joint] = turned(c, servos_.velocity_rad_s()[joint]);
     readings.position_rad.source[joint] = Source::kMeasured;
@@ -146,7 +131,8 @@ void LoopbackDriver::write(const robot::JointVector& target_rad) {
   ++writes_;
   robot::JointVector goals{};
   for (std::size_t joint = 0; joint < robot::kJointCount; ++joint) {
-    if (joints_[joint]) goals[joint] = to_servo_rad(*joints_[joint], target_rad[joint]);
+    if (calibration_.joints[joint])
+      goals[joint] = to_servo_rad(*calibration_.joints[joint], target_rad[joint]);
   }
   servos_.set_goals(goals);
 }
@@ -181,8 +167,6 @@ Capabilities LoopbackDriver::capabilities() const {
 std::vector<std::pair<std::string, std::uint64_t>> LoopbackDriver::counters() const {
   return {{"loopback_reads", reads_}, {"loopback_writes", writes_}};
 }
-
-std::optional<CrashFrame> LoopbackDriver::crash_frame() const { return std::nullopt; }
 
 std::unique_ptr<Driver> make(const Config& config, const robot::RobotModel& robot,
                              const Calibration& calibration,

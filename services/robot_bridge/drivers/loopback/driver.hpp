@@ -1,6 +1,5 @@
 #pragma once
 
-#include <array>
 #include <chrono>
 #include <optional>
 #include <string>
@@ -25,7 +24,6 @@ class LoopbackDriver : public Driver {
   bool release() noexcept override;
   [[nodiscard]] Capabilities capabilities() const override;
   [[nodiscard]] std::vector<std::pair<std::string, std::uint64_t>> counters() const override;
-  [[nodiscard]] std::optional<CrashFrame> crash_frame() const override;
 
  private:
   using Clock = std::chrono::steady_clock;
@@ -40,7 +38,7 @@ class LoopbackDriver : public Driver {
   void add_faults(Readings& readings) const;
 
   Config config_;
-  std::array<std::optional<JointCalibration>, robot::kJointCount> joints_;  ///< the robot's own
+  Calibration calibration_;  ///< of the robot's own joints
   Servos servos_;
   Clock::time_point made_ = Clock::now();
   Clock::time_point advanced_ = Clock::now();

@@ -36,7 +36,6 @@ class ServosInHand : public Driver {
   [[nodiscard]] std::vector<std::pair<std::string, std::uint64_t>> counters() const override {
     return {};
   }
-  [[nodiscard]] std::optional<CrashFrame> crash_frame() const override { return std::nullopt; }
 };
 
 /// A person who does one thing after the other: moves a joint, presses a key. Then the input ends.

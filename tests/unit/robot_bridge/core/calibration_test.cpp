@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <stdexcept>
+
 namespace scarab::bridge {
 namespace {
 
@@ -57,6 +59,25 @@ TEST(Calibration, ARobotIsCutToWhatItsServosReach) {
   EXPECT_DOUBLE_EQ(cut.joints[0].max_rad, 1.0);
   EXPECT_DOUBLE_EQ(cut.joints[1].min_rad, -1.0) << "no servo is known to limit it";
   EXPECT_DOUBLE_EQ(cut.joints[2].min_rad, -1.0) << "the robot lacks it";
+}
+
+TEST(Calibration, OfARobotIsThatOfItsJointsAndOfAllOfThem) {
+  robot::RobotModel robot;
+  robot.name = "one leg";
+  for (robot::Joint& joint : robot.joints) joint.present = false;
+  robot.joints[4].present = true;
+  Calibration calibration;
+  calibration.joints[2] = calibration.joints[4] = kTurned;
+  const Calibration own = of_robot(calibration, robot);
+  EXPECT_TRUE(own.joints[4]);
+  EXPECT_FALSE(own.joints[2]) << "the robot lacks it";
+  calibration.joints[4].reset();
+  try {
+    static_cast<void>(of_robot(calibration, robot));
+    FAIL() << "a joint without a calibration";
+  } catch (const std::invalid_argument& error) {
+    EXPECT_STREQ(error.what(), "joint TR1 of one leg has no calibration");
+  }
 }
 
 TEST(Calibration, OfNoServoUnlessSaid) {

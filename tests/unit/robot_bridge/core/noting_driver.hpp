@@ -38,7 +38,6 @@ class NotingDriver : public Driver {
   [[nodiscard]] std::vector<std::pair<std::string, std::uint64_t>> counters() const override {
     return {};
   }
-  [[nodiscard]] std::optional<CrashFrame> crash_frame() const override { return std::nullopt; }
 
   std::vector<std::string> calls;
   std::string fails;         // the call that throws

@@ -149,7 +149,7 @@ TEST(DynamixelMake, NeedsAServoAndACalibrationForEveryJoint) {
   EXPECT_THAT(refused(no_servo), HasSubstr("TL1 of three joints has no servo"));
   DriverRig no_calibration;
   no_calibration.calibration.joints[2].reset();
-  EXPECT_THAT(refused(no_calibration), HasSubstr("TL2 of three joints is missing"));
+  EXPECT_THAT(refused(no_calibration), HasSubstr("TL2 of three joints has no calibration"));
 }
 
 }  // namespace

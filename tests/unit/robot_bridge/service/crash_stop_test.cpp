@@ -38,7 +38,7 @@ struct Death {
   std::string line;
 };
 
-template <class Life>
+template <class Device = SwitchedDriver, class Life>
 Death after(const Life& life) {
   std::array<int, 2> line{};
   EXPECT_EQ(::pipe(line.data()), 0);
@@ -47,7 +47,7 @@ Death after(const Life& life) {
     ::close(line[0]);
     ::close(STDERR_FILENO);  // what the C++ library has to say of it
     install_crash_handler();
-    life(with_crash_stop(std::make_unique<SwitchedDriver>(line[1])));
+    life(with_crash_stop(std::make_unique<Device>(line[1])));
     ::_exit(0);
   }
   ::close(line[1]);
@@ -85,6 +85,22 @@ TEST(CrashStop, CoversAnExceptionThatNobodyCatches) {
     driver->open();
     driver->activate({});
     std::terminate();
+  });
+  EXPECT_EQ(death.signal, SIGABRT);
+  EXPECT_EQ(death.line, kFrame);
+}
+
+/// Dies once its first motors are on.
+class HalfOnDriver : public SwitchedDriver {
+ public:
+  using SwitchedDriver::SwitchedDriver;
+  void activate(const robot::JointVector&) override { std::abort(); }
+};
+
+TEST(CrashStop, CoversTheSwitchingOnItself) {
+  const Death death = after<HalfOnDriver>([](std::unique_ptr<Driver> driver) {
+    driver->open();
+    driver->activate({});
   });
   EXPECT_EQ(death.signal, SIGABRT);
   EXPECT_EQ(death.line, kFrame);
