@@ -38,6 +38,7 @@ int lock_and_set_up(int fd, unsigned baud) {
   if (flock(fd, LOCK_EX | LOCK_NB) != 0) return errno;
   const int error = set_raw(fd, baud);
   if (error != 0) return error;
+  if (!is_near(baud_rate(fd), baud)) return EINVAL;
   ask_for_exclusive_use(fd);
   ask_for_low_latency(fd);
   flush_input(fd);

@@ -8,6 +8,7 @@
 #include <optional>
 #include <utility>
 
+#include "services/robot_bridge/drivers/serial/line_settings.hpp"
 #include "tests/support/files.hpp"
 #include "tests/unit/robot_bridge/serial/pseudo_terminal.hpp"
 
@@ -68,6 +69,11 @@ TEST(SerialPort, TakesAnyBaudRate) {
     const SerialPort port(device.path(), baud);
     EXPECT_EQ(port.baud(), baud);
   }
+}
+
+TEST(LineSettings, ARateIsTakenAsItIsMadeOrNearly) {
+  static_assert(is_near(57600, 57600) && is_near(57142, 57600) && is_near(1'022'000, 1'000'000));
+  static_assert(!is_near(9600, 1'000'000) && !is_near(921'600, 1'000'000) && !is_near(0, 57600));
 }
 
 TEST(SerialPort, ReadEndsAtItsDeadline) {
