@@ -151,6 +151,7 @@ TEST_F(SafeStop, SilentServo) {
   const auto cause_ns = misbehave({"silent", "FR1"});
   await_stillness("silent servo", cause_ns, 2 * kTickNs + kSchedulingNs);
   expect_reason("FR1");
+  EXPECT_FALSE(stack_->journal().first_after("torque_off", cause_ns)) << "the others are to hold";
 }
 
 TEST_F(SafeStop, HotServo) {

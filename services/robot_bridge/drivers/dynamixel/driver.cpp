@@ -1,5 +1,7 @@
 #include "services/robot_bridge/drivers/dynamixel/driver.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <chrono>
 #include <cmath>
@@ -45,7 +47,9 @@ DynamixelDriver::DynamixelDriver(const Config& config, std::string port, std::ve
       watchdog_s_(static_cast<double>(watchdog_counts_) *
                   servos_.servos().front().model.bus_watchdog.unit) {}
 
-DynamixelDriver::~DynamixelDriver() { close(); }
+DynamixelDriver::~DynamixelDriver() {
+  if (powered_ && bus_.is_open()) release();
+}
 
 void DynamixelDriver::open() {
   close();
@@ -64,7 +68,6 @@ void DynamixelDriver::open() {
 }
 
 void DynamixelDriver::close() noexcept {
-  if (powered_ && bus_.is_open()) release();
   powered_ = false;
   bus_.close();
 }
@@ -181,9 +184,9 @@ void DynamixelDriver::check_reach(const Counts& goals, const robot::JointVector&
     const Servo& servo = servos_.servos()[i];
     const double step_rad = std::abs(joint_rad(servo, goals[i]) - hold_rad[servo.joint]);
     if (step_rad <= kMaxStepOnActivation_rad) continue;
-    throw DeviceError(bus_.path() + ": " + servos_.name_of(i) + " stands at " +
-                      std::to_string(hold_rad[servo.joint]) + " rad, " + std::to_string(step_rad) +
-                      " rad beyond its range; bring it there by hand");
+    throw DeviceError(fmt::format(
+        "{}: {} stands at {:.2f} rad, {:.2f} rad beyond its range; bring it into it by hand",
+        bus_.path(), servos_.name_of(i), hold_rad[servo.joint], step_rad));
   }
 }
 
@@ -196,8 +199,9 @@ void DynamixelDriver::check_watchdog() {
   const Counts states = servos_.read(&ServoModel::bus_watchdog);
   for (std::size_t i = 0; i < servos_.size(); ++i) {
     if (states[i] != kBusWatchdogTripped) continue;
-    throw DeviceError(bus_.path() + ": nothing was sent for " + std::to_string(silent_s) +
-                      " s, and the bus watchdog of " + servos_.name_of(i) + " has stopped it");
+    throw DeviceError(
+        fmt::format("{}: nothing was sent for {:.2f} s, and the bus watchdog of {} has stopped it",
+                    bus_.path(), silent_s, servos_.name_of(i)));
   }
 }
 

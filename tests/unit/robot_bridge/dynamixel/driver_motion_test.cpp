@@ -94,7 +94,7 @@ TEST(DynamixelActivate, AJointBeyondItsRangeIsNotThrownBack) {
   robot::JointVector hold = standing();
   hold[0] = driver->read().position_rad.value[0];
   EXPECT_THAT(device_error([&] { driver->activate(hold); }),
-              HasSubstr("joint TL0 (ID 1) stands at 2.84"));
+              HasSubstr("joint TL0 (ID 1) stands at 2.84 rad, 0.84 rad beyond its range"));
   EXPECT_EQ(bus.device(1).get(64, 1), 0);
 }
 
@@ -181,6 +181,17 @@ TEST(DynamixelRelease, ReachesTheOthersWhenOneIsSilent) {
   EXPECT_FALSE(robot.driver->release());
   EXPECT_EQ(robot.bus.device(2).get(64, 1), 0);
   EXPECT_EQ(robot.bus.device(3).get(64, 1), 0);
+}
+
+/// A robot that holds is not to fall because one of its servos is lost.
+TEST(DynamixelHold, IsNotTakenBackByClosingTheLine) {
+  Powered robot;
+  EXPECT_TRUE(robot.driver->hold());
+  robot.driver->close();
+  for (const std::uint8_t id : kIds) {
+    EXPECT_EQ(robot.bus.device(id).get(64, 1), 1);
+    EXPECT_NE(robot.bus.device(id).get(98, 1), 0) << "its time-out stands";
+  }
 }
 
 TEST(DynamixelRelease, ComesWithTheEndOfTheDriver) {
