@@ -2,9 +2,11 @@
 
 #include <cmath>
 #include <stdexcept>
+#include <string>
 #include <string_view>
 
 #include "common/config/config.hpp"
+#include "common/runtime/logger_lead.hpp"
 
 namespace scarab::plant {
 namespace {
@@ -60,6 +62,10 @@ void validate(const TimingConfig& c, const config::Check& check) {
                 "must be a whole number of steps (step_s)");
   check.require(divides(c.sensor_period_s, c.control_period_s), "control_period_s",
                 "must be a whole number of sensor periods (sensor_period_s)");
+  check.require(c.control_period_s < (runtime::kMostSamplesPerTick + 0.5) * c.sensor_period_s,
+                "sensor_period_s",
+                "gives more than " + std::to_string(runtime::kMostSamplesPerTick) +
+                    " samples a tick (control_period_s): no logger could be waited for");
 }
 
 template <class Fields>

@@ -127,6 +127,10 @@ TEST_F(Logger, OnAFullDiskTheTrialEndsForThatReasonAndIsRecordedOnceThereIsRoom)
     const Ballast ballast(directory_ / "ballast", 2 * kMargin * kMib);
     ASSERT_TRUE(status_.await_message(plant_, "disk too full to record")) << stack.errors();
     ASSERT_TRUE(experiment.wait(kTrialLimit)) << stack.errors();
+    const auto report = status_.await_health(plant_, scarab_HEALTH_FAULT);
+    ASSERT_TRUE(report) << "how it ended shows after the trial, too";
+    EXPECT_THAT(report->message, HasSubstr("has not recorded tick"));
+    EXPECT_THAT(report->message, HasSubstr("disk too full to record"));
   }
   EXPECT_THAT(experiment.out(), HasSubstr("logger/0 has not recorded tick"));
   EXPECT_THAT(experiment.out(), HasSubstr("disk too full to record")) << experiment.err();

@@ -93,6 +93,15 @@ TEST(PlantConfig, LatenciesAreWholeNumbersOfSteps) {
             "commands.jitter_s: must be a whole number of steps (timing.step_s)");
 }
 
+/// A writer keeps so many samples of a stream, and lockstep waits for the logger by whole ticks.
+TEST(PlantConfig, ATickHasNoMoreSamplesThanTheLoggerCanBeWaitedFor) {
+  const std::string control = "control_period_s: 0.1 ";
+  EXPECT_EQ(refusal(control, "control_period_s: 3.4 "), "") << "170 samples";
+  EXPECT_EQ(refusal(control, "control_period_s: 3.42 "),
+            "timing.sensor_period_s: gives more than 170 samples a tick (control_period_s): no "
+            "logger could be waited for");
+}
+
 TEST(PlantConfig, RefusesWhatNoSensorIs) {
   EXPECT_NE(refusal(kJointPosition, joint_position("0.0", "1.0")), "") << "never a sample";
   EXPECT_NE(refusal(kJointPosition, joint_position("0.0", "-0.1")), "");
