@@ -112,6 +112,7 @@ def _add_doctor(verbs: Verbs) -> None:
                        "deploy/scarab doctor device realtime --profile robot",
                        operands=" [CHECK...]")
     add_profile_option(parser)
+    parser.set_defaults(profile=None)  # known whether it was given: a stack that runs has its own
     add_device_options(parser)
     _add_own_options(doctor_verb, parser)
 

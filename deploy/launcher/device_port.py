@@ -79,8 +79,13 @@ def holders_of(port: Path) -> List[Program]:
     return found
 
 
+def usual_ports() -> List[str]:
+    """The serial ports of this computer, where they usually are."""
+    return sorted(path for place in _USUAL_PLACES for path in glob.glob(place))
+
+
 def _there() -> str:
-    found = sorted(path for place in _USUAL_PLACES for path in glob.glob(place))
+    found = usual_ports()
     return f" (there are {', '.join(found)})" if found else ""
 
 

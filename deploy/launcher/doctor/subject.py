@@ -9,7 +9,7 @@ from ..failure import ConfigError
 from ..places import Places
 from ..stack import Bus, Stack
 from ..stack_file import read_stack
-from ..stack_options import changes_of
+from ..stack_options import DEFAULT_PROFILE, changes_of
 from ..status.processes import expected_processes
 from .interfaces import LOOPBACK, flags_of, usable_interfaces
 from .ports import DdsProcess, dds_processes
@@ -35,7 +35,8 @@ class Subject:
         self.stack: Optional[Stack] = None
         self.stack_fault: Optional[ConfigError] = None
         try:
-            self.stack = read_stack(places.stack_file, options.profile, places.root, changes_of(options))
+            self.stack = read_stack(places.stack_file, options.profile or DEFAULT_PROFILE, places.root,
+                                    changes_of(options))
         except ConfigError as fault:
             self.stack_fault = fault
 

@@ -78,6 +78,8 @@ def serve():
         link.unlink(missing_ok=True)
         link.symlink_to("/dev/null")
         journal("device")
+    if NAME == "scarab-robot-bridge" and order("open"):
+        os.open(value_of("--device"), os.O_RDWR | os.O_NOCTTY)
     up_file(NAME).write_text(str(os.getpid()))
     while not (stopped and not order("ignore-term")):
         if order("crash"):

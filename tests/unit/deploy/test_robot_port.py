@@ -77,7 +77,57 @@ class Doctor(RobotCase):
         self.assertIn("there is no /dev/no-such-port", text)
 
     def test_profile_without_a_robot(self):
-        self.assertEqual(self.finding(), (0, "ok device the profile drives no robot no problems"))
+        self.assertEqual(self.finding("--profile", "sim"), (0, "ok device the profile drives no robot no problems"))
+
+    def test_robot_that_nobody_asks_for_is_told_of_and_not_missed(self):
+        self.configure("/dev/no-such-port")
+        code, text = self.finding(*self.words[2:])
+        self.assertEqual(code, 0, text)
+        self.assertIn("ok device no stack runs that could drive a robot, and none is where it is configured", text)
+        port = self.a_port()
+        self.configure(port)
+        self.assertEqual(self.finding(*self.words[2:]), (0, f"ok device a robot may be at {port}, which is free: `up "
+                                                            "--profile robot` drives it no problems"))
+
+    def test_stack_that_is_up_is_judged_by_its_own_files(self):
+        self.configure("/dev/no-such-port")
+        port, link = self.a_port(), self.folder / "robot"
+        link.symlink_to(port)
+        self.order("scarab-robot-bridge", "open")
+        self.assertEqual(self.scarab("up", *self.words, "--device", str(link))[0], 0)
+        domain, where = self.words[2:], f"the stack on DDS domain {self.words[3]}"
+        self.assertEqual(self.finding(*domain),
+                         (0, f"ok device {link} is open in robot_bridge of {where} no problems"))
+        held = os.open(port, os.O_RDWR | os.O_NOCTTY)
+        code, text = self.finding(*domain)
+        os.close(held)
+        self.assertEqual(code, 1)
+        self.assertRegex(text, f"PROBLEM device {link}, the robot of {where}, is open in test_robot_port.py .*, too")
+        link.unlink()
+        code, text = self.finding(*domain)
+        self.assertEqual(code, 1)
+        self.assertIn(f"PROBLEM device the robot of {where} is not at {link} Plug it in again", text)
+
+    def test_stack_that_is_up_and_does_not_have_its_robot_open(self):
+        self.configure(self.a_port())
+        self.assertEqual(self.scarab("up", *self.words)[0], 0)
+        code, text = self.finding(*self.words[2:])
+        self.assertEqual(code, 0)
+        self.assertIn("note device /dev/pts/", text)
+        self.assertIn("does not have it open deploy/scarab status says what it waits for", text)
+
+    def test_emulated_robot_of_a_stack_that_is_up(self):
+        self.configure("/dev/no-such-port")
+        self.assertEqual(self.scarab("up", *self.words, "--emulated")[0], 0)
+        (self.run_directory() / "device").unlink()
+        code, text = self.finding(*self.words[2:])
+        self.assertEqual(code, 1)
+        self.assertIn(f"the emulated robot of the stack on DDS domain {self.words[3]} is not at ", text)
+
+    def test_stack_that_drives_no_robot(self):
+        self.assertEqual(self.scarab("up", *self.words[2:])[0], 0)
+        self.assertEqual(self.finding(*self.words[2:]), (0, f"ok device the stack on DDS domain {self.words[3]} drives "
+                                                            "no robot here no problems"))
 
 
 class Drivers(unittest.TestCase):
