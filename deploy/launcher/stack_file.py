@@ -98,7 +98,7 @@ def _check_device_options(changes: StackChanges, profile: str, profiles: Dict[st
     fitting = {name: p.emulated if changes.emulated else p.drives_a_device() for name, p in profiles.items()}
     for option, is_given in given.items():
         if is_given and not fitting[profile]:
-            others = ", ".join(name for name, fits in fitting.items() if fits)
+            others = " or ".join(name for name, fits in fitting.items() if fits)
             lacks = "names no hardware to emulate" if option == "--emulated" else "drives no device"
             raise UsageError(f"{option}: profile '{profile}' {lacks}"
                              + (f"; with --profile {others} it can be said" if others else ""))

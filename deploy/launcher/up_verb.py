@@ -23,7 +23,7 @@ _ELSEWHERE_PATIENCE_S = 3.0
 
 
 _UP_MORE = """It goes by the wall clock, as a robot does, until `deploy/scarab down`. Trials are run on it by
-`deploy/scarab run`. With a profile that has services elsewhere (plant-host, control-host) it starts
+`deploy/scarab run`. With a profile that has services elsewhere (plant-host, robot-host, ...) it starts
 those of this host, and says whom it misses on the other one."""
 _UP_EXAMPLES = """deploy/scarab up
 deploy/scarab up --lockstep --replicas premotor=2
