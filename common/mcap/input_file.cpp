@@ -12,11 +12,18 @@
 
 namespace scarab::mcap {
 
+/// O_NONBLOCK: a pipe that nobody writes into is refused, not waited for.
 InputFile::InputFile(std::filesystem::path path)
-    : path_(std::move(path)), descriptor_(::open(path_.c_str(), O_RDONLY | O_CLOEXEC)) {
+    : path_(std::move(path)),
+      descriptor_(::open(path_.c_str(), O_RDONLY | O_CLOEXEC | O_NONBLOCK)) {
   struct stat status {};
+  std::string reason;
   if (descriptor_ < 0 || ::fstat(descriptor_, &status) != 0) {
-    const std::string reason = std::generic_category().message(errno);
+    reason = std::generic_category().message(errno);
+  } else if (!S_ISREG(status.st_mode)) {
+    reason = "it is no regular file";
+  }
+  if (!reason.empty()) {
     if (descriptor_ >= 0) {
       ::close(descriptor_);
     }

@@ -7,11 +7,11 @@
 
 namespace scarab::mcap {
 
-/// A file read by position. Its size is the one at opening, so that a file still being written can
-/// be read.
+/// A regular file, read by position. Its size is the one at opening, so that a file still being
+/// written can be read.
 class InputFile {
  public:
-  /// Throws FileError.
+  /// Throws FileError, for pipes and devices, too.
   explicit InputFile(std::filesystem::path path);
   ~InputFile();
   InputFile(const InputFile&) = delete;

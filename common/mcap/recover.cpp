@@ -65,8 +65,8 @@ std::map<std::string, std::uint64_t> missing_of(const Reader& reader,
 }
 
 Metadata recovered_metadata(const Reader& reader, const Recovery& result) {
-  Metadata metadata{"scarab.recovered",
-                    {{"from", reader.path().filename().string()},
+  Metadata metadata{kRecovered,
+                    {{kRecoveredFrom, reader.path().filename().string()},
                      {"bytes_lost", std::to_string(result.bytes_lost)},
                      {"damage", result.damage}}};
   std::uint64_t missing = 0;
@@ -94,7 +94,8 @@ Recovery copy(const Reader& reader, Writer& writer) {
     moved.channel_id = channel_ids.at(channel.id);
     writer.write(moved);
   });
-  Recovery result{writer.statistics(), reader.bytes_lost(), reader.damaged(), reader.damage(), {}};
+  Recovery result{writer.statistics(), reader.bytes_lost(), reader.damaged(), reader.damage(), {},
+                  reader.closed()};
   result.kept.chunk_count = reader.summary().statistics.chunk_count;
   result.missing = missing_of(reader, numbers);
   writer.add_metadata(recovered_metadata(reader, result));
@@ -110,13 +111,22 @@ void move(const std::filesystem::path& from, const std::filesystem::path& to, bo
   }
 }
 
-void remove_traces(const std::filesystem::path& unfinished) {
+/// A name of its own: what a Writer calls an unfinished `to` may well be the file that is mended.
+std::filesystem::path name_for_writer(const std::filesystem::path& to) {
+  return to.string() + ".mending";
+}
+
+void remove_traces(const std::filesystem::path& to) {
   std::error_code ignored;
-  std::filesystem::remove(unfinished, ignored);
-  std::filesystem::remove(unfinished.string() + ".active", ignored);
+  std::filesystem::remove(name_for_writer(to), ignored);
+  std::filesystem::remove(unfinished_path(to), ignored);
 }
 
 }  // namespace
+
+std::filesystem::path unfinished_path(const std::filesystem::path& to) {
+  return name_for_writer(to).string() + ".active";
+}
 
 Recovery recover(const std::filesystem::path& from, const std::filesystem::path& to,
                  const WriterOptions& options, const Progress& progress) {
@@ -124,18 +134,16 @@ Recovery recover(const std::filesystem::path& from, const std::filesystem::path&
   if (!options.overwrite && std::filesystem::exists(to)) {
     throw FileError("cannot create " + to.string() + ": it exists");
   }
-  // A name of its own: what a Writer calls an unfinished `to` may well be `from`.
-  const std::filesystem::path unfinished = to.string() + ".mending";
   WriterOptions own = options;
   own.profile = reader.header().profile;
   own.overwrite = true;
   try {
-    Writer writer(unfinished, own);
+    Writer writer(name_for_writer(to), own);
     const Recovery result = copy(reader, writer);
-    move(unfinished, to, options.overwrite);
+    move(name_for_writer(to), to, options.overwrite);
     return result;
   } catch (...) {
-    remove_traces(unfinished);
+    remove_traces(to);
     throw;
   }
 }

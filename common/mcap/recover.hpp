@@ -10,6 +10,10 @@
 
 namespace scarab::mcap {
 
+/// The metadata record of a file that recover() has made, and what in it names the old file.
+inline constexpr const char* kRecovered = "scarab.recovered";
+inline constexpr const char* kRecoveredFrom = "from";
+
 struct Recovery {
   Statistics kept;               ///< what the new file has; its chunks as they were in the old one
   std::uint64_t bytes_lost = 0;  ///< after the last whole record
@@ -19,7 +23,12 @@ struct Recovery {
   /// record. Those before the first and after the last kept one leave no gap. Topics that lack none
   /// are not listed. Known of the project's own recordings only (metadata `scarab.recording`).
   std::map<std::string, std::uint64_t> missing;
+  bool was_closed = false;  ///< the old file's writer had finished it
 };
+
+/// What recover() calls the new file while it writes it: of a process killed meanwhile this is left
+/// over, and in nobody's way.
+std::filesystem::path unfinished_path(const std::filesystem::path& to);
 
 /// Writes everything that can be read of `from`, a file cut or damaged, into a new, closed file
 /// `to`: messages in order, attachments, metadata, and a metadata record `scarab.recovered` that

@@ -9,10 +9,15 @@
 namespace scarab::log {
 namespace {
 
+/// A type of the project's own, of which nothing but the name is written.
+bool is_known(const mcap::Schema& schema) {
+  return schema.data.empty() && bus::find_known_type(schema.name) != nullptr;
+}
+
 /// Sets the type, or why there is none.
 void find_type(const mcap::Schema& schema, LogChannel& channel) {
-  if (const auto* known = bus::find_known_type(schema.name); known && schema.data.empty()) {
-    channel.type = bus::model_of(*known);
+  if (is_known(schema)) {
+    channel.type = bus::model_of(*bus::find_known_type(schema.name));
     return;
   }
   try {
@@ -43,7 +48,7 @@ LogChannel read_channel(const mcap::Channel& record, const mcap::Schema* schema)
   if (record.message_encoding != "cdr") {
     channel.no_type =
         "its messages are in '" + record.message_encoding + "', which is not read here";
-  } else if (schema == nullptr) {
+  } else if (schema == nullptr || (schema->encoding.empty() && !is_known(*schema))) {
     channel.no_type = "it was recorded without a schema";
   } else {
     find_type(*schema, channel);

@@ -36,12 +36,19 @@ void add_selection(CLI::App& command, SelectionOptions& options) {
 Log open_logs(const LogPaths& paths) {
   ProgressLine line("reading " + paths.at(0).string());
   Log log(paths, [&](std::uint64_t done, std::uint64_t total) { line.update(done, total); });
+  for (const auto& path : log.passed_over()) {
+    std::cerr << "scarab-log: " << path.string() << ": passed over, for the file that was mended "
+              << "from it is read\n";
+  }
   warn_if_cut(log, std::cerr);
   return log;
 }
 
 int run_checked(const std::function<int()>& command) try {
-  return command();
+  const int code = command();
+  std::cout.flush();
+  if (!std::cout) throw std::runtime_error("cannot write all of the output");
+  return code;
 } catch (const std::invalid_argument& error) {
   std::cerr << "scarab-log: " << error.what() << '\n';
   return runtime::kExitBadUsage;

@@ -32,7 +32,7 @@ void add_selection(CLI::App& command, SelectionOptions& options);
 Log open_logs(const LogPaths& paths);
 
 /// Runs a command; what is wrong with its arguments (std::invalid_argument) becomes one line on
-/// stderr and the exit code of bad usage.
+/// stderr and the exit code of bad usage. Throws std::runtime_error when stdout did not take all.
 int run_checked(const std::function<int()>& command);
 
 }  // namespace scarab::log

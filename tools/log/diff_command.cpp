@@ -1,9 +1,12 @@
 #include <CLI/CLI.hpp>
+#include <algorithm>
+#include <cmath>
 #include <iostream>
 #include <memory>
 #include <stdexcept>
 
 #include "common/runtime/program.hpp"
+#include "common/sample/field_path.hpp"
 #include "tools/log/command_line.hpp"
 #include "tools/log/commands.hpp"
 #include "tools/log/comparison.hpp"
@@ -24,6 +27,13 @@ struct DiffArguments {
 constexpr int kDifferent = 1;
 constexpr int kTrouble = 2;
 
+bool has_field(const sample::TypeModel& type, const std::string& field) try {
+  sample::FieldPath(type, field);
+  return true;
+} catch (const bus::Error&) {
+  return false;
+}
+
 std::vector<std::string> topics_of(const DiffArguments& arguments, const Log& a, const Log& b) {
   if (arguments.topics.empty()) return comparable_topics(a, b);
   for (const std::string& topic : arguments.topics) {
@@ -34,13 +44,33 @@ std::vector<std::string> topics_of(const DiffArguments& arguments, const Log& a,
   return arguments.topics;
 }
 
+/// A field that nothing has is a slip: what was meant to be ignored would count.
+void check_ignored(const std::vector<std::string>& topics, const DiffArguments& arguments,
+                   const Log& a, const Log& b) {
+  for (const std::string& field : arguments.lenience.ignored) {
+    const auto has_it = [&](const Log& log, const std::string& topic) {
+      const LogChannel* channel = log.find(topic);
+      return channel != nullptr && channel->type && has_field(*channel->type, field);
+    };
+    const bool known = std::any_of(topics.begin(), topics.end(), [&](const std::string& topic) {
+      return has_it(a, topic) || has_it(b, topic);
+    });
+    if (!known) throw std::invalid_argument("--ignore " + field + ": no topic has such a field");
+  }
+}
+
 int diff(const DiffArguments& arguments) {
+  if (std::isnan(arguments.lenience.tolerance)) {
+    throw std::invalid_argument("--tolerance nan: a number is meant");
+  }
   const Log a = open_logs({arguments.a});
   const Log b = open_logs({arguments.b});
+  const std::vector<std::string> topics = topics_of(arguments, a, b);
+  check_ignored(topics, arguments, a, b);
   LogComparison comparison{arguments.a.string(), arguments.b.string(), {}};
   {
     ProgressLine line("comparing");
-    for (const std::string& topic : topics_of(arguments, a, b)) {
+    for (const std::string& topic : topics) {
       line.say(topic);
       comparison.topics.push_back(compare_topic(a, b, topic, arguments.lenience));
     }

@@ -8,8 +8,8 @@
 namespace scarab::log {
 
 /// Writes every attachment of a log below `folder`, which is made if need be; returns the files.
-/// Throws std::runtime_error for a name that would lead out of the folder, and for a file that
-/// cannot be written.
+/// Throws std::runtime_error, before anything is written, for a name that would lead out of the
+/// folder and where a file of other content has the name; and for one that cannot be written.
 std::vector<std::filesystem::path> extract_attachments(const mcap::Reader& reader,
                                                        const std::filesystem::path& folder);
 

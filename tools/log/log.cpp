@@ -5,6 +5,7 @@
 
 #include "common/sample/idl_text.hpp"
 #include "tools/log/channel_type.hpp"
+#include "tools/log/mended_copy.hpp"
 
 namespace scarab::log {
 namespace {
@@ -53,9 +54,23 @@ Log::Log(const Paths& paths, const mcap::Progress& progress) : name_(paths.at(0)
       files_.push_back(std::make_unique<mcap::Reader>(file, mcap::Access::kIndexed, progress));
     }
   }
+  pass_over_mended();
   std::stable_sort(files_.begin(), files_.end(),
                    [](const auto& a, const auto& b) { return begin_of(*a) < begin_of(*b); });
   for (const auto& file : files_) add_channels(*file);
+}
+
+void Log::pass_over_mended() {
+  for (const auto& file : files_) {
+    const bool is_mended = std::any_of(files_.begin(), files_.end(), [&](const auto& other) {
+      return is_mended_copy(*other, *file);
+    });
+    if (is_mended) passed_over_.push_back(file->path());
+  }
+  const auto is_passed_over = [this](const auto& file) {
+    return std::find(passed_over_.begin(), passed_over_.end(), file->path()) != passed_over_.end();
+  };
+  files_.erase(std::remove_if(files_.begin(), files_.end(), is_passed_over), files_.end());
 }
 
 void Log::add_channels(const mcap::Reader& file) {

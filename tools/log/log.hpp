@@ -32,11 +32,14 @@ struct LogChannel {
 class Log {
  public:
   /// Files, or directories whose logs (*.mcap, and *.mcap.active while they are written or after a
-  /// kill) are meant. Throws std::invalid_argument for a path with no log in it; as mcap::Reader.
+  /// kill) are meant. A cut file beside the one that `recover` has made of it is passed over.
+  /// Throws std::invalid_argument for a path with no log in it; as mcap::Reader.
   explicit Log(const std::vector<std::filesystem::path>& paths, const mcap::Progress& = {});
   explicit Log(const std::filesystem::path& path) : Log(std::vector{path}) {}
 
   const std::vector<std::unique_ptr<mcap::Reader>>& files() const { return files_; }
+  /// Those of which another file has everything.
+  const std::vector<std::filesystem::path>& passed_over() const { return passed_over_; }
   /// The path that was given, or the first of several.
   const std::filesystem::path& name() const { return name_; }
 
@@ -57,10 +60,12 @@ class Log {
   void for_each(const Visitor& visit, const std::set<std::string>& topics = {}) const;
 
  private:
+  void pass_over_mended();
   void add_channels(const mcap::Reader& file);
 
   std::filesystem::path name_;
   std::vector<std::unique_ptr<mcap::Reader>> files_;
+  std::vector<std::filesystem::path> passed_over_;
   std::vector<std::map<std::uint16_t, LogChannel>> channels_;  ///< beside files_
 };
 

@@ -1,4 +1,5 @@
 #include <CLI/CLI.hpp>
+#include <csignal>
 #include <iostream>
 
 #include "common/runtime/program.hpp"
@@ -7,6 +8,8 @@
 using namespace scarab;
 
 int main(int argc, char** argv) {
+  // Whoever reads has enough: `| head`. Those that start us may ignore it, as Python does.
+  std::signal(SIGPIPE, SIG_DFL);
   std::ios::sync_with_stdio(false);
   CLI::App app{"Looks into recorded logs (MCAP), mends, compares and replays them.", "scarab-log"};
   app.require_subcommand(1);

@@ -8,6 +8,7 @@
 #include <csignal>
 
 #include "common/mcap/reader.hpp"
+#include "tools/log/unfinished_file.hpp"
 #include "tools/log/words.hpp"
 
 namespace scarab::log {
@@ -26,7 +27,7 @@ bool is_whole(const std::filesystem::path& path, const mcap::Progress& progress)
 
 /// Linux grants a read lease on a file only while nobody has it open for writing.
 bool is_being_written(const std::filesystem::path& path) {
-  const int file = ::open(path.c_str(), O_RDONLY | O_CLOEXEC);
+  const int file = ::open(path.c_str(), O_RDONLY | O_CLOEXEC | O_NONBLOCK);
   if (file < 0) return false;
   // Whoever opens it meanwhile for writing breaks the lease with a signal: one that nobody minds.
   ::fcntl(file, F_SETSIG, SIGURG);
@@ -60,6 +61,7 @@ Mending mend(const std::filesystem::path& cut, const std::optional<std::filesyst
   mending.to = to ? *to : mended_name(cut);
   mcap::WriterOptions options;
   options.sync_on_close = !to;
+  const UnfinishedFile unfinished(mcap::unfinished_path(mending.to));
   mending.recovery = mcap::recover(cut, mending.to, options, progress);
   if (!to && is_active(cut) && mending.recovery.damaged == 0) {
     mending.removed = std::filesystem::remove(cut);
@@ -76,7 +78,8 @@ std::string to_string(const std::filesystem::path& cut, const Mending& mending) 
   if (recovery.kept.message_count > 0) {
     text += ", the last of " + utc_text(recovery.kept.end_time_ns);
   }
-  text += "\n  lost: what its recorder had not written yet when it ended";
+  if (!recovery.was_closed) text += "\n  lost: what its recorder had not written yet when it ended";
+  if (recovery.was_closed && recovery.damaged == 0) text += "\n  nothing lost: it had been closed";
   if (recovery.bytes_lost > 0) {
     text +=
         ", and " + counted(recovery.bytes_lost, "byte") + " at the end that are no whole record";

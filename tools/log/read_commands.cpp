@@ -1,5 +1,4 @@
 #include <CLI/CLI.hpp>
-#include <fstream>
 #include <iostream>
 #include <memory>
 
@@ -7,6 +6,7 @@
 #include "tools/log/cat.hpp"
 #include "tools/log/command_line.hpp"
 #include "tools/log/commands.hpp"
+#include "tools/log/output_file.hpp"
 #include "tools/log/table.hpp"
 
 namespace scarab::log {
@@ -40,18 +40,17 @@ int write_table(ExportArguments& arguments) {
   arguments.selection.topics = {arguments.table.topic};
   require_type(log, arguments.table.topic);
   const Selection selection(log, arguments.selection);
-  std::ofstream file;
-  if (!arguments.output.empty()) file.open(arguments.output, std::ios::binary | std::ios::trunc);
-  std::ostream& out = arguments.output.empty() ? std::cout : file;
-  if (arguments.format == "json") {
-    write_json(log, selection, arguments.table, out);
+  const auto write = [&](std::ostream& out) {
+    if (arguments.format == "json") {
+      write_json(log, selection, arguments.table, out);
+    } else {
+      write_csv(log, selection, arguments.table, out);
+    }
+  };
+  if (arguments.output.empty()) {
+    write(std::cout);
   } else {
-    write_csv(log, selection, arguments.table, out);
-  }
-  out.flush();
-  if (!out) {
-    throw std::runtime_error("cannot write " +
-                             (arguments.output.empty() ? "the table" : arguments.output));
+    write_file(arguments.output, write);
   }
   return runtime::kExitSuccess;
 }
@@ -71,7 +70,9 @@ void add_cat(CLI::App& app, Command& chosen) {
   add_selection(*command, arguments->selection);
   add_repeatable(*command, "--field", arguments->selection.fields,
                  "only this part of each sample, such as header.tick, position_rad[3], contacts");
-  command->add_option("-n", arguments->options.most, "so many messages at most");
+  command->add_option("-n", arguments->options.most, "so many messages at most")
+      ->check(CLI::PositiveNumber.description(""))
+      ->type_name("N");
   command->add_flag("--json", arguments->options.json, "one line of JSON a message");
   command->callback([&chosen, arguments] {
     chosen = [arguments] { return run_checked([&] { return cat(*arguments); }); };
@@ -98,6 +99,7 @@ void add_export(CLI::App& app, Command& chosen) {
   command
       ->add_option("--elements", arguments->table.sequence_elements,
                    "csv: elements of each sequence to show beside its length")
+      ->check(CLI::NonNegativeNumber.description(""))
       ->capture_default_str();
   command->add_flag("--times", arguments->table.times, "put log_time_ns and publish_time_ns first");
   command->add_option("--output", arguments->output, "write to this file, not to stdout")

@@ -1,4 +1,5 @@
 #include <CLI/CLI.hpp>
+#include <cmath>
 #include <iostream>
 #include <memory>
 #include <stdexcept>
@@ -9,6 +10,7 @@
 #include "tools/log/commands.hpp"
 #include "tools/log/replay/interview.hpp"
 #include "tools/log/replay/replay.hpp"
+#include "tools/log/words.hpp"
 
 namespace scarab::log {
 namespace {
@@ -24,13 +26,16 @@ struct ReplayArguments {
   InterviewOptions interview;
 };
 
+/// A year: more is a slip, and what counts ns has room for it.
+constexpr double kMostSeconds = 366.0 * 86400.0;
+
 /// Nothing: as fast as it goes.
 std::optional<double> speed_of(const std::string& text) {
   if (text == "max") return std::nullopt;
   try {
     std::size_t used = 0;
     const double speed = std::stod(text, &used);
-    if (used == text.size() && speed > 0) return speed;
+    if (used == text.size() && std::isfinite(speed) && speed > 0) return speed;
   } catch (const std::logic_error&) {
     // said below
   }
@@ -43,14 +48,27 @@ void set_service(const std::string& text, InterviewOptions& options) {
   options.service = text.substr(0, slash);
   if (slash == std::string::npos) return;
   const std::string number = text.substr(slash + 1);
-  if (number.empty() || number.find_first_not_of("0123456789") != std::string::npos) {
+  constexpr std::size_t kMostDigits = 9;
+  if (number.empty() || number.size() > kMostDigits ||
+      number.find_first_not_of("0123456789") != std::string::npos) {
     throw std::invalid_argument("--against " + text + ": a service is meant, such as premotor/1");
   }
   options.instance = static_cast<std::uint32_t>(std::stoul(number));
 }
 
+void check_span(const ReplayOptions& options) {
+  if (std::isnan(options.from_s) || std::isnan(options.to_s.value_or(0))) {
+    throw std::invalid_argument("--from, --to: a number is meant");
+  }
+  if (options.to_s && *options.to_s < options.from_s) {
+    throw std::invalid_argument("--to " + fixed_text(*options.to_s, 3) + " is before --from " +
+                                fixed_text(options.from_s, 3));
+  }
+}
+
 int run(ReplayArguments& arguments) {
   ReplayOptions& replay_options = arguments.replay;
+  check_span(replay_options);
   replay_options.topics = {arguments.topics.begin(), arguments.topics.end()};
   replay_options.except = {arguments.except.begin(), arguments.except.end()};
   replay_options.patience = std::chrono::duration<double>(arguments.patience_s);
@@ -96,13 +114,14 @@ void add_replay_options(CLI::App& command, ReplayArguments& arguments) {
   add_repeatable(command, "--except", arguments.except, "not this topic");
   command.add_option("--trial", options.trial, "only this trial");
   command.add_option("--from", options.from_s, "s since the log's first message")
-      ->check(CLI::NonNegativeNumber);
-  command.add_option("--to", options.to_s, "the same, of the end")->check(CLI::NonNegativeNumber);
+      ->check(CLI::Range(0.0, kMostSeconds).description(""));
+  command.add_option("--to", options.to_s, "the same, of the end")
+      ->check(CLI::Range(0.0, kMostSeconds).description(""));
   command.add_flag("--loop", options.loop, "again and again, until Ctrl-C");
   command.add_option("--wait", options.wait_readers, "start when so many readers have matched")
       ->type_name("N");
   command.add_option("--timeout", arguments.patience_s, "s to wait for readers, and for answers")
-      ->check(CLI::PositiveNumber)
+      ->check(CLI::Range(0.01, 86400.0).description(""))
       ->capture_default_str();
   command.add_flag("--restamp", options.restamp,
                    "stamp_ns in the header of samples is the time of the replay");

@@ -84,6 +84,7 @@ TEST_F(Info, IsJsonToo) {
 }
 
 TEST_F(Info, AttachmentsAreExtractedButNeverOutsideOfTheFolder) {
+  extract_attachments(mcap::Reader(folder_ / "x.mcap"), folder_ / "out");  // the same again
   const auto files = extract_attachments(mcap::Reader(folder_ / "x.mcap"), folder_ / "out");
   ASSERT_EQ(files.size(), 1U);
   EXPECT_EQ(mcap::test::read_file(folder_ / "out" / "config" / "a.yaml"), mcap::Bytes{'a'});

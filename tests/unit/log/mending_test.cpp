@@ -7,13 +7,16 @@
 #include "common/mcap/reader.hpp"
 #include "tests/unit/log/behaviour_log.hpp"
 #include "tests/unit/mcap/temporary_folder.hpp"
+#include "tools/log/log.hpp"
 
 namespace scarab::log::test {
 namespace {
 
 using mcap::test::TemporaryFolder;
+using Paths = std::vector<std::filesystem::path>;
 using testing::ElementsAre;
 using testing::HasSubstr;
+using testing::Not;
 
 class Mend : public testing::Test {
  protected:
@@ -50,6 +53,36 @@ TEST_F(Mend, InPlaceTheActiveFileBecomesTheWholeOne) {
   EXPECT_THAT(said,
               HasSubstr("lost: what its recorder had not written yet when it ended, and 12 bytes"));
   EXPECT_THAT(said, HasSubstr("removed: "));
+}
+
+TEST_F(Mend, OfAFileThatWasWholeNothingIsLost) {
+  {
+    LogWriter log(folder_ / "x.mcap");
+    log.write(behaviour(1, 0, 0));
+    log.close();
+  }
+  const Mending mending = mend(folder_ / "x.mcap", folder_ / "y.mcap");
+  const std::string said = to_string(folder_ / "x.mcap", mending);
+  EXPECT_THAT(said, HasSubstr("nothing lost: it had been closed"));
+  EXPECT_THAT(said, Not(HasSubstr("lost: what its recorder")));
+}
+
+TEST_F(Mend, OfACutFileAndItsMendedCopyEachSampleIsReadOnce) {
+  const auto active = cut("x.mcap");
+  mend(active, folder_ / "y.mcap");
+  EXPECT_EQ(Log(folder_ / "").count(), 10U);
+  const Log log(Paths{active, folder_ / "y.mcap"});
+  EXPECT_EQ(log.count(), 10U);
+  EXPECT_THAT(log.passed_over(), ElementsAre(active));
+  EXPECT_EQ(Log(active).count(), 10U) << "by itself it is what is meant";
+}
+
+TEST_F(Mend, ACutFileOfTheSameNameThatIsAnotherRecordingIsRead) {
+  mend(cut("elsewhere/x.mcap"), folder_ / "y.mcap");
+  LogWriter log(folder_ / "x.mcap");
+  for (std::uint32_t i = 0; i < 3; ++i) log.write(behaviour(2, i, 0));
+  log.writer().close_chunk();
+  EXPECT_EQ(Log(Paths{folder_ / "y.mcap", folder_ / "x.mcap.active"}).count(), 13U);
 }
 
 TEST_F(Mend, IntoAnotherFileTheCutOneStays) {

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <chrono>
 #include <cstdint>
 #include <optional>
@@ -22,7 +23,8 @@ class Pace {
   /// When the moment `time_ns` of the log is due.
   Clock::time_point due(std::uint64_t time_ns) const {
     if (!speed_ || time_ns <= begin_ns_) return begin_;
-    const auto since_ns = static_cast<double>(time_ns - begin_ns_) / *speed_;
+    constexpr double kNeverNs = 1e18;  // 32 years: what a clock has room for
+    const double since_ns = std::min(static_cast<double>(time_ns - begin_ns_) / *speed_, kNeverNs);
     return begin_ + std::chrono::nanoseconds(static_cast<std::int64_t>(since_ns));
   }
 

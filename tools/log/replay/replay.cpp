@@ -44,6 +44,9 @@ class Replay {
         publish(message);
         return true;
       });
+      if (published_ == 0) {
+        throw std::invalid_argument("no sample of the log is of such a trial and time");
+      }
     } while (options_.loop);
     flush();
   }
