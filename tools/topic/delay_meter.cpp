@@ -27,6 +27,11 @@ bool is_whole_number(const sample::FieldPath& path) {
          *primitive != sample::Primitive::kFloat && *primitive != sample::Primitive::kDouble;
 }
 
+bool has_64_bits(const sample::FieldPath& path) {
+  const auto primitive = std::get<sample::Primitive>(sample::resolve(*path.type()).kind);
+  return primitive == sample::Primitive::kInt64 || primitive == sample::Primitive::kUint64;
+}
+
 /// The path itself, or those of its seconds and nanoseconds.
 std::vector<sample::FieldPath> time_paths(const sample::TypeModel& model,
                                           const std::string& field) {
@@ -36,6 +41,9 @@ std::vector<sample::FieldPath> time_paths(const sample::TypeModel& model,
   }
   for (const sample::FieldPath& path : paths) {
     if (!is_whole_number(path)) throw bus::Error(path.text() + " is no whole number");
+  }
+  if (paths.size() == 1 && !has_64_bits(paths[0])) {
+    throw bus::Error(field + " is no time: ns in 64 bits, or a stamp of sec and nanosec");
   }
   return paths;
 }

@@ -117,6 +117,7 @@ void add_echo(CLI::App& app, Choice& choice) {
   command
       .add_option("--elements", options->print.elements,
                   "in a table, elements of each sequence that get columns beside its length")
+      ->check(CLI::NonNegativeNumber.description(""))
       ->capture_default_str()
       ->type_name("N");
   add_count(command, options->count, "end after so many samples; else at Ctrl-C");

@@ -6,9 +6,12 @@
 #include <array>
 #include <cerrno>
 #include <cstring>
+#include <filesystem>
 #include <fstream>
 #include <sstream>
-#include <stdexcept>
+
+#include "common/runtime/program.hpp"
+#include "tools/topic/failure.hpp"
 
 namespace scarab::topic {
 
@@ -39,9 +42,15 @@ bool read_lines(const std::function<bool()>& interrupted,
 
 std::string read_whole(const std::string& file) {
   std::ifstream in(file, std::ios::binary);
+  const int error = in ? 0 : errno;
+  // A directory can be opened, and has nothing to read.
+  const bool is_directory = in && std::filesystem::is_directory(file);
+  if (error != 0 || is_directory) {
+    throw Failure(runtime::kExitBadUsage,
+                  "cannot read " + file + ": " + std::strerror(is_directory ? EISDIR : error));
+  }
   std::ostringstream text;
   text << in.rdbuf();
-  if (!in) throw std::runtime_error("cannot read " + file + ": " + std::strerror(errno));
   return text.str();
 }
 

@@ -10,7 +10,7 @@ namespace scarab::topic {
 bool read_lines(const std::function<bool()>& interrupted,
                 const std::function<bool(const std::string&)>& f);
 
-/// A whole file. Throws std::runtime_error naming it.
+/// A whole file. Throws Failure (bad usage) naming it.
 std::string read_whole(const std::string& file);
 
 }  // namespace scarab::topic

@@ -17,12 +17,17 @@ constexpr std::chrono::seconds kLine{1};
 constexpr std::size_t kColumnWidth = 10;
 constexpr std::uint64_t kLinesUnderHeading = 20;
 
+/// Numbers that are wider than their column stand apart all the same.
+std::string cell_text(const std::string& text) {
+  return " " + padded(text, kColumnWidth - 1, true);
+}
+
 std::string heading_text(const Meter& meter) {
   std::string names;
   std::string units;
   for (const Meter::Column& column : meter.columns()) {
-    names += padded(column.heading, kColumnWidth, true);
-    units += padded(column.unit, kColumnWidth, true);
+    names += cell_text(column.heading);
+    units += cell_text(column.unit);
   }
   return names + "\n" + units + "\n";
 }
@@ -30,7 +35,7 @@ std::string heading_text(const Meter& meter) {
 std::string line_text(const Meter& meter, bool json) {
   if (json) return meter.json() + "\n";
   std::string out;
-  for (const std::string& cell : meter.row()) out += padded(cell, kColumnWidth, true);
+  for (const std::string& cell : meter.row()) out += cell_text(cell);
   return out + "\n";
 }
 

@@ -8,6 +8,7 @@
 #include <cerrno>
 #include <cstdlib>
 #include <limits>
+#include <system_error>
 #include <utility>
 
 namespace scarab::topic {
@@ -33,7 +34,11 @@ void Output::flush() {
     const std::size_t size = std::min(pending_.size() - done, kNeverBlocks);
     const ssize_t written = ::write(STDOUT_FILENO, pending_.data() + done, size);
     if (written > 0) done += static_cast<std::size_t>(written);
-    if (written < 0 && errno != EINTR && errno != EAGAIN) closed_ = true;
+    if (written >= 0 || errno == EINTR || errno == EAGAIN) continue;
+    closed_ = true;
+    if (errno != EPIPE) {  // a disk that is full is no reader that has enough
+      throw std::system_error(errno, std::generic_category(), "cannot write the output");
+    }
   }
   pending_.clear();
 }

@@ -14,6 +14,8 @@ class Output {
   /// `interrupted` is asked while whoever reads standard output is slow.
   explicit Output(std::function<bool()> interrupted);
 
+  /// Both throw std::system_error where the output cannot be written for another reason than that
+  /// nobody reads it.
   void write(std::string_view text);
   void flush();
   /// Nobody reads any more, or Ctrl-C came while nobody did: what is written from now on is lost.

@@ -75,6 +75,7 @@ TEST_F(Measure, TellsHowOldSamplesAre) {
   EXPECT_GT(number(stamp.out, "delay_min_s"), 5.0) << stamp.out;
   EXPECT_LT(number(stamp.out, "delay_p50_s"), 6.0) << stamp.out;
   expect_refused(2, {"delay", "a", "--field", "kind"}, "--field: kind is no whole number");
+  expect_refused(2, {"delay", "a", "--field", "header.tick"}, "--field: header.tick is no time");
   expect_refused(2, {"delay", "a", "--field", "header"}, "no member sec in scarab::Header");
 }
 

@@ -156,7 +156,8 @@ TEST_F(Pub, SendsEveryValueOfAFileAndAtARate) {
   write_text(directory_ / "bad.yaml", "header: {tick: 1}\n---\nkinnd: 1\n");
   expect_refused(2, {"pub", "a", "@" + (directory_ / "bad.yaml").string()},
                  "bad.yaml, value 2: no member kinnd");
-  expect_refused(1, {"pub", "a", "@" + (directory_ / "none.yaml").string()}, "cannot read");
+  expect_refused(2, {"pub", "a", "@" + (directory_ / "none.yaml").string()}, "cannot read");
+  expect_refused(2, {"pub", "a", "@" + directory_.path().string()}, "Is a directory");
 }
 
 TEST_F(Pub, SendsWhatComesOnStandardInput) {
