@@ -35,14 +35,14 @@ void LogSeries::close_part() {
 
 void LogSeries::introduce(RecordedChannel& channel) {
   const ChannelSpec& spec = channel.spec;
-  std::uint16_t schema = 0;
-  if (!spec.idl.empty()) {
-    const auto [entry, fresh] =
-        schema_ids_.try_emplace({spec.type_name, spec.idl}, std::uint16_t{0});
-    if (fresh) entry->second = writer_->add_schema(spec.type_name, "omgidl", spec.idl);
-    schema = entry->second;
+  const auto [entry, fresh] = schema_ids_.try_emplace({spec.type_name, spec.idl}, std::uint16_t{0});
+  if (fresh) {
+    // Of a type that is not known there is a schema all the same, the empty one that MCAP has for
+    // it: readers that take for granted that each channel has one would refuse the whole file.
+    const char* encoding = spec.idl.empty() ? "" : "omgidl";
+    entry->second = writer_->add_schema(spec.type_name, encoding, spec.idl);
   }
-  channel.id = writer_->add_channel(schema, spec.topic, "cdr", spec.metadata);
+  channel.id = writer_->add_channel(entry->second, spec.topic, "cdr", spec.metadata);
 }
 
 void LogSeries::add_channel(const ChannelSpec& spec) {
