@@ -7,7 +7,7 @@ import pwd
 import stat
 from dataclasses import dataclass
 from pathlib import Path
-from typing import Dict, List, Optional
+from typing import Dict, List, Optional, Sequence
 
 import yaml
 
@@ -15,6 +15,7 @@ from .failure import Failure
 from .program import Program, program
 from .stack import Stack
 
+_NAMED = 3  # of the programs that have a port open
 _USUAL_PLACES = ("/dev/serial/by-id/*", "/dev/ttyUSB*", "/dev/ttyACM*", "/dev/ttyAMA*")
 
 
@@ -54,15 +55,15 @@ def obstacle_at(port: Path) -> Optional[Obstacle]:
     except OSError:
         return Obstacle(f"there is no {port}", f"Plug the robot in, or say where it is: --device PATH{_there()}. "
                                                "Without a robot: --emulated")
-    if not stat.S_ISCHR(status.st_mode):
-        return Obstacle(f"{port} is no device", f"Say where the robot is: --device PATH{_there()}")
+    if not stat.S_ISCHR(status.st_mode) or not _may_be_a_terminal(status.st_rdev):
+        return Obstacle(f"{port} is no serial port", f"Say where the robot is: --device PATH{_there()}")
     if not os.access(port, os.R_OK | os.W_OK):
         group = _name_of(status.st_gid)
         return Obstacle(f"{port} may not be opened: it is for group {group}",
                         f"As root: usermod -a -G {group} {_user()}; then log in again")
     others = holders_of(port)
     if others:
-        return Obstacle(f"{port} is open in {', '.join(map(str, others))}",
+        return Obstacle(f"{port} is open in {listed(others)}",
                         "Stop that first: two programs at one port garble each other's frames")
     return None
 
@@ -77,6 +78,18 @@ def holders_of(port: Path) -> List[Program]:
         except OSError:  # it has ended, or is another user's
             pass
     return found
+
+
+def listed(programs: Sequence[Program]) -> str:
+    """The first few of them."""
+    more = len(programs) - _NAMED
+    return ", ".join(map(str, programs[:_NAMED])) + (f" and {more} more" if more > 0 else "")
+
+
+def _may_be_a_terminal(device: int) -> bool:
+    """Of some devices the system knows that they are something else, such as /dev/null."""
+    kind = Path(f"/sys/dev/char/{os.major(device)}:{os.minor(device)}/subsystem")
+    return not kind.exists() or kind.resolve().name == "tty"
 
 
 def usual_ports() -> List[str]:

@@ -3,8 +3,9 @@
 from pathlib import Path
 from typing import List, Optional, Tuple
 
-from ..device_port import holders_of, obstacle_at, port_of, usual_ports
+from ..device_port import holders_of, listed, obstacle_at, port_of, usual_ports
 from ..failure import Failure
+from ..places import shown
 from ..preflight import ask
 from ..process_identity import ProcessIdentity, read_json
 from ..stack import Stack
@@ -53,9 +54,9 @@ def _of_running(stack: RecordedStack) -> Finding:
         return problem(*_missed(up, driven))
     ours, bridge = _pids_of(stack), _pid_of(stack, driven.bridge)
     holders = holders_of(driven.port)
-    others = [str(h) for h in holders if h.pid not in ours]
+    others = [h for h in holders if h.pid not in ours]
     if others:
-        return problem(f"{driven.port}, the robot of {up}, is open in {', '.join(others)}, too",
+        return problem(f"{driven.port}, the robot of {up}, is open in {listed(others)}, too",
                        "Stop that: two programs at one port garble each other's frames.")
     emulated = ", an emulated robot," if driven.emulated else ""
     if any(h.pid == bridge for h in holders):
@@ -67,7 +68,8 @@ def _of_running(stack: RecordedStack) -> Finding:
 def _missed(up: str, driven: Driven) -> Tuple[str, str]:
     if driven.emulated:
         return (f"the emulated robot of {up} is not at {driven.port}",
-                "It was told to be unplugged (deploy/scarab emulator tell latest clear), or its program does not run "
+                f"It was told to be unplugged (deploy/scarab emulator tell {shown(driven.port.parent)} clear), or its "
+                "program does not run "
                 "(deploy/scarab logs emulator).")
     return (f"the robot of {up} is not at {driven.port}",
             f"Plug it in again: {driven.bridge} then finds it by itself.")

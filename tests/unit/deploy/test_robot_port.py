@@ -40,9 +40,10 @@ class Port(RobotCase):
         self.assertRegex(self.fails(), "there is no /dev/no-such-port. Plug the robot in, .*--device PATH.*--emulated")
         self.assertIn("there is no /dev/nor-this", self.fails("--device", "/dev/nor-this"))
 
-    def test_one_that_is_a_file(self):
+    def test_one_that_is_no_serial_port(self):
         self.configure(self.stack_file)
-        self.assertIn(f"{self.stack_file} is no device", self.fails())
+        self.assertIn(f"{self.stack_file} is no serial port", self.fails())
+        self.assertIn("/dev/null is no serial port", self.fails("--device", "/dev/null"))
 
     def test_one_that_somebody_else_has_open(self):
         port = self.a_port()
