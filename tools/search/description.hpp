@@ -72,10 +72,11 @@ struct Penalties {
   Penalty approach_pitch_rad;  ///< largest |BS| before the robot first touches the object
 };
 
-/// One scenario is to have less cost than another: a finding about an order.
+/// The successes of one scenario are to take less of its time limit than another's: a finding about
+/// an order.
 struct Order {
   std::string faster, slower;  ///< names of scenarios
-  double margin = 0;           ///< of mean cost
+  double margin = 0;           ///< of the mean share of the time limit
   double weight = 1;
 };
 

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <array>
+#include <optional>
 
 #include "tools/search/cost.hpp"
 
@@ -68,13 +69,25 @@ AddedTerm penalty_term(const Description& description, const Plan& plan, const M
   return term;
 }
 
-AddedTerm order_term(const std::vector<ScenarioScore>& scores, const Order& order) {
-  const auto cost_of = [&](const std::string& name) {
-    const auto found = std::find_if(scores.begin(), scores.end(),
-                                    [&](const ScenarioScore& s) { return s.name == name; });
-    return found->cost;
-  };
-  const double difference = cost_of(order.faster) - cost_of(order.slower);
+/// Mean share of the time limit that a scenario's successes took; none without any.
+std::optional<double> time_share(const Description& description,
+                                 const std::vector<ScenarioScore>& scores,
+                                 const std::string& name) {
+  const auto found = std::find_if(scores.begin(), scores.end(),
+                                  [&](const ScenarioScore& s) { return s.name == name; });
+  if (found->successes == 0) return std::nullopt;
+  const auto index = static_cast<std::size_t>(found - scores.begin());
+  return found->time_s / description.scenarios[index].time_limit_s;
+}
+
+/// Of the successes alone: by mean cost the slower one would be slow enough as soon as some of its
+/// trials failed, which costs the objective less than the order is worth. Who never arrives is not
+/// the slower one either.
+AddedTerm order_term(const Description& description, const std::vector<ScenarioScore>& scores,
+                     const Order& order) {
+  const auto faster = time_share(description, scores, order.faster);
+  const auto slower = time_share(description, scores, order.slower);
+  const double difference = faster && slower ? *faster - *slower : 1;
   return {order.faster + " < " + order.slower, difference,
           order.weight * std::clamp(difference + order.margin, 0.0, 1.0)};
 }
@@ -92,7 +105,7 @@ Score score(const Description& description, const Plan& plan, const Measures& me
     result.terms.push_back(penalty_term(description, plan, measures, result.scenarios, rule));
   }
   for (const Order& order : description.orders) {
-    result.terms.push_back(order_term(result.scenarios, order));
+    result.terms.push_back(order_term(description, result.scenarios, order));
   }
   for (const AddedTerm& term : result.terms) result.objective += term.value;
   return result;

@@ -22,7 +22,7 @@ struct ScenarioScore {
 /// A term that is added to the weighted mean of the scenarios' costs.
 struct AddedTerm {
   std::string name;
-  double measured = 0;  ///< mean of the measure, or difference of costs
+  double measured = 0;  ///< mean of the measure, or difference of times over their limits
   double value = 0;     ///< as added, with its weight
 };
 

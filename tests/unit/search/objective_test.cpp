@@ -55,6 +55,17 @@ TEST(Objective, AddsWhatAnOrderIsAmiss) {
   EXPECT_DOUBLE_EQ(order_term(42, 30), 0.25 * 0.3);
 }
 
+/// Else a candidate would keep an order by letting the slower one fail now and then.
+TEST(Objective, AFailureIsNoSlowArrival) {
+  const auto order_term = [](const Measures& measures) { return scored(measures).terms.back(); };
+  const auto all = order_term({success(30), success(30), success(30), success(30)});
+  const auto some = order_term({success(30), success(30), success(30), Measure{}});
+  EXPECT_EQ(some.value, all.value);
+  EXPECT_EQ(some.measured, all.measured);
+  EXPECT_DOUBLE_EQ(order_term({success(30), success(30), Measure{}, Measure{}}).value, 0.25);
+  EXPECT_DOUBLE_EQ(order_term({Measure{}, Measure{}, success(30), success(30)}).value, 0.25);
+}
+
 TEST(Objective, IsTheSumOfWhatItPrints) {
   Measures measures(4, success(42));
   measures[1].leg_leg_share = 0.4;
