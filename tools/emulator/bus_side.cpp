@@ -19,9 +19,10 @@ std::optional<scarab_Trial> BusSide::take_trial() {
   return newest;
 }
 
-void BusSide::publish(std::uint32_t tick, std::int64_t time_ns, const plant::WorldTruth& truth) {
+void BusSide::publish(std::uint32_t trial, std::uint32_t tick, std::int64_t time_ns,
+                      const plant::WorldTruth& truth) {
   scarab_WorldState world{};
-  world.header = {trial_, tick, time_ns, bus::now_ns()};
+  world.header = {trial, tick, time_ns, bus::now_ns()};
   plant::fill(world, truth, contacts_);
   worlds_.write(world);
 }

@@ -21,10 +21,9 @@ class BusSide {
 
   /// The newest trial that was told since the last call; one that is running already is none.
   std::optional<scarab_Trial> take_trial();
-  /// One has been taken.
-  [[nodiscard]] bool has_trial() const { return trial_ != 0; }
-  /// Publishes scarab/world_state for the trial taken last. Throws bus::Error.
-  void publish(std::uint32_t tick, std::int64_t time_ns, const plant::WorldTruth& truth);
+  /// Publishes scarab/world_state. Throws bus::Error.
+  void publish(std::uint32_t trial, std::uint32_t tick, std::int64_t time_ns,
+               const plant::WorldTruth& truth);
 
  private:
   bus::Participant participant_;

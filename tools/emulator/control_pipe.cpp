@@ -20,12 +20,20 @@ constexpr std::size_t kLongestLine = 4096;
   throw std::runtime_error(path.string() + ": " + why);
 }
 
+/// Only a pipe that is open for reading can be opened for writing alone without waiting.
+bool somebody_reads(const std::filesystem::path& path) {
+  const int fd = ::open(path.c_str(), O_WRONLY | O_NONBLOCK | O_CLOEXEC);
+  if (fd >= 0) ::close(fd);
+  return fd >= 0;
+}
+
 }  // namespace
 
 ControlPipe::ControlPipe(std::filesystem::path path) : path_(std::move(path)) {
   if (path_.empty()) return;
   if (::mkfifo(path_.c_str(), 0600) != 0 && errno != EEXIST) fail(path_, std::strerror(errno));
   if (!std::filesystem::is_fifo(path_)) fail(path_, "there is something that is no pipe");
+  if (somebody_reads(path_)) fail(path_, "another emulator takes its faults here");
   // For writing, too: then there is always a writer, and no end of file.
   fd_ = ::open(path_.c_str(), O_RDWR | O_NONBLOCK | O_CLOEXEC);
   if (fd_ < 0) fail(path_, std::strerror(errno));

@@ -9,8 +9,9 @@ namespace scarab::emulator {
 /// A named pipe (FIFO) into which anybody may write lines.
 class ControlPipe {
  public:
-  /// Without a path nobody can. One that is there already is taken over. Throws std::runtime_error,
-  /// naming the path, if it cannot be made or is something else.
+  /// Without a path nobody can. One that a dead emulator has left is taken over. Throws
+  /// std::runtime_error, naming the path, if it cannot be made, is something else, or is read by
+  /// somebody already.
   explicit ControlPipe(std::filesystem::path path);
   ~ControlPipe();
   ControlPipe(const ControlPipe&) = delete;

@@ -2,8 +2,6 @@
 
 #include <stdexcept>
 
-#include "common/bus/clock.hpp"
-
 namespace scarab::emulator {
 
 Journal::Journal(const std::filesystem::path& path) {
@@ -14,8 +12,8 @@ Journal::Journal(const std::filesystem::path& path) {
   file_.flush();
 }
 
-void Journal::note(std::string_view event, const std::string& detail) {
-  if (file_.is_open()) file_ << bus::now_ns() << ',' << event << ',' << detail << '\n';
+void Journal::note(std::int64_t stamp_ns, std::string_view event, std::string_view detail) {
+  if (file_.is_open()) file_ << stamp_ns << ',' << event << ',' << detail << '\n';
 }
 
 void Journal::flush() {

@@ -15,7 +15,7 @@ class Journal {
   /// Without a path nothing is written. Throws std::runtime_error naming the path.
   explicit Journal(const std::filesystem::path& path);
 
-  void note(std::string_view event, const std::string& detail);
+  void note(std::int64_t stamp_ns, std::string_view event, std::string_view detail);
   /// What has been noted is in the file from now on.
   void flush();
 

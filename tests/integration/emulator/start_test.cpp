@@ -31,11 +31,25 @@ TEST(EmulatorStart, SaysWhatItIsAndWhereAndLeavesNothingBehind) {
 
 TEST(EmulatorStart, RefusesTheDeviceOfALivingOne) {
   EmulatorProcess emulator;
+  emulator.tell("tilt 0.1");
   const Finished second = run(emulator_command(emulator.run_dir()));
   EXPECT_EQ(second.exit_code, 1);
   EXPECT_THAT(second.err, HasSubstr("another emulator has this device"));
+  EXPECT_THAT(emulator.journal(), HasSubstr("fault_on,tilt")) << "its journal is unharmed";
   DynamixelLine line(emulator.device());
   EXPECT_TRUE(line.ask(dxl::ping(1))) << "the first one is unharmed";
+}
+
+TEST(EmulatorStart, RefusesTheControlPipeOfALivingOne) {
+  EmulatorProcess emulator;
+  const TemporaryDirectory elsewhere;
+  Arguments command = emulator_command(elsewhere.path());
+  command.insert(command.end(), {"--control", emulator.run_dir() / "emulator"});
+  const Finished second = run(command);
+  EXPECT_EQ(second.exit_code, 1);
+  EXPECT_THAT(second.err, HasSubstr("another emulator takes its faults here"));
+  EXPECT_FALSE(is_there(elsewhere / "device"));
+  emulator.tell("tilt 0.1");
 }
 
 TEST(EmulatorStart, TakesOverFromADeadOne) {

@@ -41,9 +41,18 @@ robot::JointVector World::configured_start_rad() const {
 }
 
 void World::build(const plant::TrialSpec& trial, const robot::JointVector& start_rad) {
-  simulation_ = std::make_unique<plant::Simulation>(robot_, config_, trial, start_rad);
+  (void)replace(prepare(trial, start_rad));
+}
+
+std::unique_ptr<plant::Simulation> World::prepare(const plant::TrialSpec& trial,
+                                                  const robot::JointVector& start_rad) const {
+  return std::make_unique<plant::Simulation>(robot_, config_, trial, start_rad);
+}
+
+std::unique_ptr<plant::Simulation> World::replace(std::unique_ptr<plant::Simulation> prepared) {
   runs_ = false;
   stuck_at_rad_ = {};
+  return std::exchange(simulation_, std::move(prepared));
 }
 
 void World::start(std::int64_t now_ns) {

@@ -33,6 +33,12 @@ class World {
   /// Builds it anew for a trial, with the joints at `start_rad`, standing still. Throws
   /// std::invalid_argument; then it stays as it was.
   void build(const plant::TrialSpec& trial, const robot::JointVector& start_rad);
+  /// The same in two steps. Building takes milliseconds, replacing none: whoever cannot wait that
+  /// long has another thread prepare it, while this one goes on.
+  [[nodiscard]] std::unique_ptr<plant::Simulation> prepare(
+      const plant::TrialSpec& trial, const robot::JointVector& start_rad) const;
+  /// Returns the old one.
+  std::unique_ptr<plant::Simulation> replace(std::unique_ptr<plant::Simulation> prepared);
   /// From now on it moves: this is its t = 0.
   void start(std::int64_t now_ns);
   [[nodiscard]] bool runs() const { return runs_; }
