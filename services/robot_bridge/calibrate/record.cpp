@@ -31,8 +31,9 @@ void write_through(const std::filesystem::path& path, const std::string& text) {
   const int fd = open(path.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, 0666);
   if (fd < 0) fail(path, errno);
   const ssize_t written = write(fd, text.data(), text.size());
-  const bool whole = written == static_cast<ssize_t>(text.size()) && fsync(fd) == 0;
-  const int error = whole ? 0 : errno;
+  const bool cut_short = written >= 0 && written < static_cast<ssize_t>(text.size());
+  const bool whole = written >= 0 && !cut_short && fsync(fd) == 0;
+  const int error = cut_short ? ENOSPC : errno;
   close(fd);
   if (!whole) fail(path, error);
 }
