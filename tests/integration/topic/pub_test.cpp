@@ -182,11 +182,11 @@ TEST_F(Pub, SendsWhatComesOnStandardInput) {
 TEST_F(Pub, IsInterrupted) {
   const AnyReader reader(plant_, "a", bus::descriptor<scarab_JointCommand>());
   ChildProcess endless = start_topic({"pub", "a", "{}", "--rate", "50"});
-  ASSERT_EQ(take_some(reader, 3).size(), 3U);
+  ASSERT_GE(take_some(reader, 3).size(), 3U);
   endless.signal(SIGINT);
   EXPECT_EQ(endless.wait(kPatience), 0) << "without end is its purpose";
   ChildProcess counted = start_topic({"pub", "a", "{}", "--rate", "50", "-n", "100000"});
-  ASSERT_EQ(take_some(reader, 3).size(), 3U);
+  ASSERT_GE(take_some(reader, 3).size(), 3U);
   counted.signal(SIGINT);
   EXPECT_EQ(counted.wait(kPatience), 130);
 }
