@@ -1,4 +1,5 @@
 #include <CLI/CLI.hpp>
+#include <filesystem>
 #include <iostream>
 
 #include "common/runtime/logging.hpp"
@@ -9,6 +10,17 @@
 
 using namespace scarab;
 
+namespace {
+
+/// A device would be read for ever, or have the log beside it.
+std::string refuse_irregular(const std::string& file) {
+  const bool is_irregular =
+      std::filesystem::exists(file) && !std::filesystem::is_regular_file(file);
+  return is_irregular ? file + " is no regular file" : "";
+}
+
+}  // namespace
+
 int main(int argc, char** argv) {
   CLI::App app{"Records every topic of the domain into one MCAP file.", "scarab-logger"};
   app.footer("Example: scarab-logger --output trial.mcap --attach plant.yaml");
@@ -17,10 +29,12 @@ int main(int argc, char** argv) {
   app.add_option(
          "--output", options.output,
          "the log; FILE.active until it is closed (default: trial.mcap in the run directory)")
-      ->type_name("FILE");
+      ->type_name("FILE")
+      ->check(refuse_irregular);
   app.add_option("--attach", options.attach, "file to put into the log; repeatable")
       ->type_name("FILE")
-      ->check(CLI::ExistingFile);
+      ->check(CLI::ExistingFile)
+      ->check(refuse_irregular);
 
   return runtime::run_program(app, argc, argv, [&] {
     const auto config = options.service.config.empty()

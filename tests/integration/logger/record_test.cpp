@@ -168,7 +168,12 @@ TEST_F(Record, BadUsageStartsNothing) {
     return std::make_pair(code, output);
   };
   EXPECT_EQ(ends_with({}).first, 2);
-  EXPECT_EQ(ends_with({"--output", (folder_ / "x.mcap").string(), "--attach", "/absent"}).first, 2);
+  for (const std::string attached : {"/absent", "/dev/zero", "/proc"}) {
+    EXPECT_EQ(ends_with({"--output", (folder_ / "x.mcap").string(), "--attach", attached}).first,
+              2);
+  }
+  EXPECT_EQ(ends_with({"--output", "/dev/null"}).first, 2);
+  EXPECT_EQ(ends_with({"--output", (folder_ / "").string()}).first, 2);
   mcap::test::write_file(folder_ / "bad.yaml", std::string_view("chunk_tim_s: 1\n"));
   const auto [code, output] = ends_with(
       {"--output", (folder_ / "x.mcap").string(), "--config", (folder_ / "bad.yaml").string()});
