@@ -76,7 +76,8 @@ std::chrono::nanoseconds StatusPublisher::due_after() const {
       (recorded && status_.recorded_tick >= reported_tick_ + kRecordedTicks)) {
     return std::chrono::nanoseconds(0);
   }
-  return recorded ? kRecordedPeriod : kProgressPeriod;
+  if (recorded) return kRecordedPeriod;
+  return progressed_ ? kProgressPeriod : kRepeatPeriod;
 }
 
 std::chrono::nanoseconds StatusPublisher::time_left() const {
@@ -85,10 +86,7 @@ std::chrono::nanoseconds StatusPublisher::time_left() const {
 }
 
 void StatusPublisher::publish_if_due() {
-  const auto due = due_after();
-  if (std::chrono::steady_clock::now() - last_ < due) return;
-  if (due == kProgressPeriod && !progressed_) return;
-  publish();
+  if (std::chrono::steady_clock::now() - last_ >= due_after()) publish();
 }
 
 void StatusPublisher::publish() {

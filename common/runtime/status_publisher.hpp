@@ -20,6 +20,9 @@ inline constexpr const char* kOperatorStamp = "operator_stamp_ns";
 class StatusPublisher {
  public:
   static constexpr std::chrono::milliseconds kProgressPeriod{250};
+  /// Who has heard nothing for longer than a lease, because it had no CPU, takes us for gone, and
+  /// goes on doing so until our next word: there is one even where nothing has changed.
+  static constexpr std::chrono::milliseconds kRepeatPeriod{500};
   static constexpr std::uint32_t kRecordedTicks = 24;
   static constexpr std::chrono::milliseconds kRecordedPeriod{20};
 
@@ -36,7 +39,8 @@ class StatusPublisher {
   void set_counter(const std::string& name, std::uint64_t value);
   void set_histogram(const std::string& name, const Histogram& histogram);
 
-  /// Publishes now if something important changed, or if progress did and is due.
+  /// Publishes now if something important changed, if progress did and is due, or if it is time to
+  /// be heard again.
   void publish_if_due();
   /// How long publish_if_due() may wait to be called again.
   [[nodiscard]] std::chrono::nanoseconds time_left() const;

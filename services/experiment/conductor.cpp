@@ -83,7 +83,8 @@ std::uint32_t Conductor::next_trial() const {
 Outcome Conductor::run(scarab_Trial trial, std::chrono::seconds silence_limit) {
   TrialWatch watch(trial, states_ ? Judge::kTickMaster : Judge::kReferee);
   watch_ = &watch;
-  told_ = heard_ = master_seen_ = Clock::now();
+  told_ = heard_ = Clock::now();
+  master_missed_.reset();
   master_gone_ = false;
   told_ns_ = trial.header.stamp_ns = bus::now_ns();
   trials_.write(trial);

@@ -78,10 +78,11 @@ class Conductor {
   runtime::StatusBoard board_;
   runtime::Shutdown shutdown_;
   TrialWatch* watch_ = nullptr;
-  std::chrono::steady_clock::time_point heard_{};        // from the running trial
-  std::chrono::steady_clock::time_point told_{};         // the running trial was
-  std::chrono::steady_clock::time_point master_seen_{};  // the tick master was, on the board
-  std::int64_t told_ns_ = 0;                             // as the trial's stamp
+  std::chrono::steady_clock::time_point heard_{};  // from the running trial
+  std::chrono::steady_clock::time_point told_{};   // the running trial was
+  // The tick master, on the board, since.
+  std::optional<std::chrono::steady_clock::time_point> master_missed_;
+  std::int64_t told_ns_ = 0;  // as the trial's stamp
   bool master_gone_ = false;
 };
 

@@ -1,3 +1,4 @@
+#include "common/runtime/status_publisher.hpp"
 #include "services/experiment/conductor.hpp"
 
 // What keeps a trial from coming to its end: faults, silence, a tick master that is gone.
@@ -8,8 +9,10 @@ using Clock = std::chrono::steady_clock;
 
 // A service that was up has had time to say better of itself than of the trial before.
 constexpr std::chrono::seconds kPatience{1};
-// Beyond the lease of a service's status: what has none has been silent for that long already.
-constexpr std::chrono::milliseconds kGonePatience{250};
+// Beyond the lease of a service's status: what has none has been silent for that long already, or
+// we have been without CPU for that long. Who lives says so again meanwhile.
+constexpr std::chrono::milliseconds kGonePatience =
+    runtime::StatusPublisher::kRepeatPeriod + std::chrono::milliseconds(250);
 
 }  // namespace
 
@@ -36,10 +39,16 @@ void Conductor::watch_for_trouble(TrialWatch& watch, std::chrono::seconds silenc
   }
 }
 
-/// Nobody restarts a tick master in the middle of a trial.
+/// Nobody restarts a tick master in the middle of a trial. Its absence counts from the first look
+/// that does not find it: before that it may be us who did not run.
 void Conductor::watch_for_absence(TrialWatch& watch) {
-  if (!tick_master_ || board_.find(*tick_master_)) master_seen_ = Clock::now();
-  master_gone_ = Clock::now() - master_seen_ > kGonePatience;
+  const auto now = Clock::now();
+  if (!tick_master_ || board_.find(*tick_master_)) {
+    master_missed_.reset();
+  } else if (!master_missed_) {
+    master_missed_ = now;
+  }
+  master_gone_ = master_missed_ && now - *master_missed_ > kGonePatience;
   if (master_gone_) watch.fail(bus::to_string(*tick_master_) + " is gone");
 }
 

@@ -63,6 +63,21 @@ TEST_F(Experiment, TakesMeasuresAndReasonFromWhoSeesTheWorld) {
   EXPECT_EQ(conductor_->wait(kPatience), 1);
 }
 
+/// Longer than a status' lease: who seems gone says soon that it is not.
+TEST_F(Experiment, IsNotMistakenAfterItHasBeenStopped) {
+  conduct();
+  conductor_->signal(SIGSTOP);
+  const auto stopped = RecordingBody::Clock::now();
+  ASSERT_TRUE(answer_until(0.1, [&] {
+    return RecordingBody::Clock::now() - stopped > std::chrono::milliseconds(1500);
+  }));
+  conductor_->signal(SIGCONT);
+  const auto again = ends_.states().all().back().header.tick + 60;  // of 20 ms: beyond its patience
+  ASSERT_TRUE(answer_until(0.1, [&] { return ends_.states().all().back().header.tick >= again; }));
+  body_->change([](auto& fate) { fate.verdict = {true, "ran to the time limit"}; });
+  EXPECT_THAT(result(), HasSubstr("result: success after"));
+}
+
 TEST_F(Experiment, SeesTheTickMasterGo) {
   conduct();
   stop();

@@ -3,6 +3,7 @@
 
 #include <memory>
 #include <optional>
+#include <vector>
 
 #include "common/runtime/status_board.hpp"
 #include "common/runtime/status_publisher.hpp"
@@ -127,6 +128,21 @@ TEST_F(StatusTest, MissingNamesWhoIsNotThereOrNotReady) {
   EXPECT_THAT(board_.missing({{"premotor", 1}}, 5), ElementsAre("premotor/0"));
   EXPECT_THAT(board_.missing({{"premotor", 2}, {"logger", 1}}, 4),
               ElementsAre("logger/0", "premotor/1"));
+}
+
+/// Cyclone tells a reader that a writer is alive again by its next sample only.
+TEST_F(StatusTest, IsSaidAgainThoughNothingHasChanged) {
+  bus::Reader<scarab_ServiceStatus> reader(watcher_, bus::kServiceStatus);
+  Service service;
+  std::vector<std::int64_t> stamps;
+  EXPECT_TRUE(eventually([&] {
+    service.status.publish_if_due();
+    reader.take([&](const auto& status) { stamps.push_back(status.header.stamp_ns); });
+    return stamps.size() == 3;
+  }));
+  ASSERT_EQ(stamps.size(), 3U);
+  const auto apart = std::chrono::nanoseconds(stamps[2] - stamps[1]);
+  EXPECT_GE(apart, StatusPublisher::kRepeatPeriod - std::chrono::milliseconds(1));
 }
 
 TEST_F(StatusTest, ChangesOfHealthGoOutAtOnceButProgressIsThinnedOut) {
