@@ -8,6 +8,8 @@ namespace {
 constexpr std::chrono::milliseconds kProgressPeriod{250};
 constexpr std::chrono::milliseconds kRecordedPeriod{20};
 constexpr std::uint32_t kRecordedTicks = 4;
+// Half the topic's lease: who was starved for longer took this service for gone, and learns better.
+constexpr std::chrono::milliseconds kRepeatPeriod{500};
 
 }  // namespace
 
@@ -53,7 +55,7 @@ void Status::publish_if_due() {
   const auto now = std::chrono::steady_clock::now();
   const bool recorded = status_.recorded_tick() != reported_tick_;
   const bool due = progressed_ && now - last_ >= (recorded ? kRecordedPeriod : kProgressPeriod);
-  if (!changed_ && !due) return;
+  if (!changed_ && !due && now - last_ < kRepeatPeriod) return;
   status_.header().stamp_ns(now_ns());
   writer_.write(status_);
   reported_tick_ = status_.recorded_tick();

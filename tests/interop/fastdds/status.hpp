@@ -8,7 +8,7 @@
 namespace scarab::fastdds {
 
 /// What this service says of itself on scarab/service_status: changes at once, progress at most
-/// four times a second.
+/// four times a second, and twice a second whatever happens.
 class Status {
  public:
   explicit Status(Node& node);
