@@ -20,6 +20,8 @@ add_compile_options(-ffp-contract=off)
 if(SCARAB_SANITIZE)
   add_compile_options(-fsanitize=${SCARAB_SANITIZE} -fno-omit-frame-pointer)
   add_link_options(-fsanitize=${SCARAB_SANITIZE})
+  # Eigen allocates otherwise where it sees the sanitizer, and libpagmo, which was built without, frees it.
+  add_compile_definitions(EIGEN_MALLOC_ALREADY_ALIGNED=1)
   # GCC 12 sees uninitialised reads inside its own <regex> and <variant> once they are instrumented.
   add_compile_options($<$<COMPILE_LANGUAGE:CXX>:-Wno-maybe-uninitialized>)
 endif()

@@ -156,13 +156,13 @@ scarab_TrialPhase TickMaster::publish_state(bool between_ticks) {
   state.phase = phase();
   state.real_time = real_time();
   if (between_ticks) {
-    sensors_.stage(state);
+    between_ticks_.push_back(state);
   } else {
     states_.write(state);
   }
   body_.publish_own(state.header);
-  // In lockstep nobody is in a hurry for the samples between ticks: they leave in a few packets
-  // while the chain works on the tick.
+  // In lockstep nobody is in a hurry for the samples between ticks: all that their writing costs is
+  // paid while the chain works on the tick, and they leave in a few packets.
   if (real_time() || !between_ticks) flush();
   if (!between_ticks) {
     status_.set_progress(state.header);
@@ -175,6 +175,8 @@ scarab_TrialPhase TickMaster::publish_state(bool between_ticks) {
 
 /// Sends the samples between ticks.
 void TickMaster::flush() {
+  for (const scarab_RobotState& state : between_ticks_) sensors_.stage(state);
+  between_ticks_.clear();
   sensors_.flush();
   body_.flush_own();
 }

@@ -121,6 +121,7 @@ class TickMaster {
   OperatorDesk desk_;
   bus::Writer<scarab_RobotState> states_;
   bus::Writer<scarab_RobotState> sensors_;
+  std::vector<scarab_RobotState> between_ticks_;  // samples that wait for flush()
   StatusPublisher status_;
   Shutdown shutdown_;
 

@@ -37,19 +37,22 @@ std::optional<runtime::TrialEnd> PlantBody::verdict() const {
 void PlantBody::end(const runtime::TrialEnd& end) { ended_ = end; }
 
 void PlantBody::publish_own(const scarab_Header& header) {
-  scarab_WorldState world{};
-  world.header = header;
+  KeptWorld& world = kept_.emplace_back();
+  world.sample.header = header;
   WorldTruth truth = simulation_->truth();
   if (ended_) {
     truth.verdict = ended_->success ? Verdict::kSuccess : Verdict::kFailure;
     truth.verdict_time_s = static_cast<double>(time_ns()) * 1e-9;
     truth.verdict_reason = ended_->reason;
   }
-  fill(world, truth, contacts_);
-  worlds_.stage(world);
+  fill(world.sample, truth, world.contacts);
 }
 
-void PlantBody::flush_own() { worlds_.flush(); }
+void PlantBody::flush_own() {
+  for (const KeptWorld& world : kept_) worlds_.stage(world.sample);
+  kept_.clear();
+  worlds_.flush();
+}
 
 void PlantBody::add_needs(runtime::PeerCheck& peers) const { peers.need(worlds_, "logger"); }
 

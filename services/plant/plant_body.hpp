@@ -29,13 +29,19 @@ class PlantBody : public runtime::TickBody {
   void add_needs(runtime::PeerCheck& peers) const override;
 
  private:
+  /// A sample that waits for flush_own(), with what it points to.
+  struct KeptWorld {
+    scarab_WorldState sample{};
+    std::vector<scarab_Contact> contacts;
+  };
+
   robot::RobotModel robot_;
   PlantConfig config_;
   bus::Writer<scarab_WorldState> worlds_;
   std::unique_ptr<Simulation> simulation_;
   robot::JointVector held_rad_{};           // the last targets
   std::optional<runtime::TrialEnd> ended_;  // from outside, in place of the referee's verdict
-  std::vector<scarab_Contact> contacts_;
+  std::vector<KeptWorld> kept_;
 };
 
 }  // namespace scarab::plant
