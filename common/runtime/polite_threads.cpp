@@ -27,8 +27,9 @@ constexpr int kThisThread = 0;
 // The longest there is. What counts is that it is longer than everybody else's: then who wakes up
 // need not wait for the end of ours (EEVDF, Linux 6.12; older ones pass it over).
 constexpr std::uint64_t kSliceNs = 100'000'000;
-// A tenth of the usual weight. On two cores the chain keeps 96 % of its speed beside a recorder at
-// 10, 92 % at 0, 97 % at 19; beside six busy loops a recorder at 10 keeps up, one at 19 does not.
+// A tenth of the usual weight. Side by side on two cores the chain kept 96 % of its speed beside a
+// recorder at 10, 92 % at 0, 97 % at 19; beside six busy loops one at 10 keeps up, one at 19 does
+// not.
 constexpr std::int32_t kNice = 10;
 
 }  // namespace
